@@ -1,0 +1,129 @@
+#include "idl/types/event.h"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+namespace tacit {
+namespace {
+
+/// Writes one flat JSON object, members in the order given.
+class Line {
+ public:
+  Line(Tick tick, std::string_view event) {
+    number("tick", tick);
+    text("event", event);
+  }
+  template <class Number>
+  Line& number(std::string_view key, Number value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    start(key).append(digits.data(), end);
+    return *this;
+  }
+  Line& text(std::string_view key, std::string_view value) {
+    start(key).append(1, '"').append(value).append(1, '"');
+    return *this;
+  }
+  /// A digest as 16 hexadecimal digits, since JSON readers round large integers.
+  Line& digest(std::string_view key, std::uint64_t value) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string hex(16, '0');
+    for (std::size_t i = 16; i-- > 0; value >>= 4) {
+      hex[i] = kDigits[value & 15];
+    }
+    return text(key, hex);
+  }
+  std::string done() { return std::move(out_.append(1, '}')); }
+
+ private:
+  std::string& start(std::string_view key) {
+    return out_.append(out_.empty() ? "{\"" : ",\"").append(key).append("\":");
+  }
+  std::string out_;
+};
+
+struct ToLine {
+  Tick tick;
+
+  std::string operator()(const EnemyCreated& e) const {
+    return Line(tick, "enemy_created")
+        .number("enemy", e.enemy.value)
+        .text("kind", name(e.kind))
+        .number("x_m", e.position_m.x())
+        .number("y_m", e.position_m.y())
+        .done();
+  }
+  std::string operator()(const EnemyIntercepted& e) const {
+    return Line(tick, "enemy_intercepted")
+        .number("enemy", e.enemy.value)
+        .text("kind", name(e.kind))
+        .number("robot", e.robot.value)
+        .number("distance_to_target_m", e.distance_to_target_m)
+        .done();
+  }
+  std::string operator()(const TargetHit& e) const {
+    return Line(tick, "target_hit")
+        .number("enemy", e.enemy.value)
+        .number("distance_to_target_m", e.distance_to_target_m)
+        .done();
+  }
+  std::string operator()(const Collision& e) const {
+    return Line(tick, "collision")
+        .number("robot", e.robot.value)
+        .text("with", name(e.with))
+        .number("other", e.other)
+        .done();
+  }
+  std::string operator()(const RobotLost& e) const {
+    return Line(tick, "robot_lost").number("robot", e.robot.value).done();
+  }
+  std::string operator()(const RobotBack& e) const {
+    return Line(tick, "robot_back").number("robot", e.robot.value).done();
+  }
+  std::string operator()(const RobotLate& e) const {
+    return Line(tick, "robot_late").number("robot", e.robot.value).done();
+  }
+  std::string operator()(const Checkpoint& e) const {
+    return Line(tick, "checkpoint")
+        .digest("state", e.state_digest)
+        .number("enemies", e.enemies)
+        .number("mean_distance_to_target_m", e.mean_distance_to_target_m)
+        .number("mean_speed_mps", e.mean_speed_mps)
+        .done();
+  }
+  std::string operator()(const RunEnded& e) const {
+    return Line(tick, "run_ended").digest("state", e.state_digest).done();
+  }
+};
+
+}  // namespace
+
+const char* name(EnemyKind kind) {
+  switch (kind) {
+    case EnemyKind::Normal:
+      return "normal";
+    case EnemyKind::Decoy:
+      return "decoy";
+  }
+  return "?";
+}
+
+const char* name(Obstruction obstruction) {
+  switch (obstruction) {
+    case Obstruction::Obstacle:
+      return "obstacle";
+    case Obstruction::Wall:
+      return "wall";
+    case Obstruction::Robot:
+      return "robot";
+    case Obstruction::Enemy:
+      return "enemy";
+  }
+  return "?";
+}
+
+std::string to_line(const Event& event) { return std::visit(ToLine{event.tick}, event.what); }
+
+}  // namespace tacit

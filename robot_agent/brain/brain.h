@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "idl/types/command.h"
+#include "idl/types/percept.h"
+#include "idl/types/telemetry.h"
+#include "robot_agent/brain/brain_config.h"
+
+namespace tacit {
+
+/// A robot's mind: a function from what it senses now, and what it remembers, to what it does.
+///
+/// Pure: no clock, no thread, no file, no communication. Two brains with the same configuration,
+/// robot, seed and percepts decide the same.
+class Brain {
+ public:
+  /// Throws ConfigError when `config` contradicts itself.
+  Brain(const BrainConfig& config, RobotId robot, std::uint64_t seed);
+  ~Brain();
+  Brain(Brain&&) noexcept;
+  Brain& operator=(Brain&&) noexcept;
+
+  /// The answer to `percept`; call once per tick, ticks ascending.
+  [[nodiscard]] Command decide(const Percept& percept);
+
+  /// Writes what went on in the last decision into `out` (`robot`, `tick`, `learner`, `situation`,
+  /// `shares`); the counters are the process's and stay as they are.
+  void report(Telemetry& out) const;
+
+  /// What has been learned and must survive a crash, as one line of JSON.
+  [[nodiscard]] std::string memory() const;
+  /// Takes up where `memory()` left off. False, and nothing changed, when the text is not one that
+  /// this configuration wrote.
+  [[nodiscard]] bool recall(std::string_view memory);
+
+ private:
+  class Mind;
+  std::unique_ptr<Mind> mind_;
+};
+
+}  // namespace tacit

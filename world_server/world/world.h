@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "idl/types/command.h"
+#include "idl/types/event.h"
+#include "idl/types/percept.h"
+#include "idl/types/world_view.h"
+#include "world_server/world/world_config.h"
+
+namespace tacit {
+
+/// The world: a function from commands to percepts and events.
+///
+/// Pure: no clock, no thread, no file, no communication. Two worlds with the same configuration,
+/// seed and commands have the same history, bit for bit.
+class World {
+ public:
+  /// Throws ConfigError when the scenario cannot be placed (obstacles that do not fit, …).
+  World(const WorldConfig& config, std::uint64_t seed);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// The tick whose percepts stand ready; 0 at first.
+  [[nodiscard]] Tick tick() const;
+
+  /// What each robot senses now, in order of id: robot i at index i-1. Valid until the next step.
+  [[nodiscard]] std::span<const Percept> percepts() const;
+
+  /// One tick on. `commands` holds at most one command per robot, in any order; a robot without
+  /// one stands still. Returns what happened, valid until the next step.
+  std::span<const Event> step(std::span<const Command> commands);
+
+  /// A digest of every body's state.
+  [[nodiscard]] std::uint64_t digest() const;
+
+  void view(WorldView& out) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tacit
