@@ -38,6 +38,8 @@ class ParameterVisitor {
   /// `value` is one of `choices`.
   virtual void choice(std::string_view key, std::string& value,
                       std::span<const std::string_view> choices, ParameterDoc doc) = 0;
+  /// Free text for people.
+  virtual void text(std::string_view key, std::string& value, ParameterDoc doc) = 0;
 };
 
 }  // namespace tacit
