@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tacit {
 
@@ -38,6 +39,9 @@ class ParameterVisitor {
   /// `value` is one of `choices`.
   virtual void choice(std::string_view key, std::string& value,
                       std::span<const std::string_view> choices, ParameterDoc doc) = 0;
+  /// A list of rows of numbers, one number per column, all in `range`: [[1, 2, 3], [4, 5, 6]].
+  virtual void rows(std::string_view key, std::vector<std::vector<double>>& value,
+                    std::span<const std::string_view> columns, Range range, ParameterDoc doc) = 0;
   /// Free text for people.
   virtual void text(std::string_view key, std::string& value, ParameterDoc doc) = 0;
 };
