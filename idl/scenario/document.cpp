@@ -1,0 +1,182 @@
+#include "idl/scenario/document.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "idl/scenario/nearest_word.h"
+#include "idl/scenario/values.h"
+#include "idl/types/config_error.h"
+
+namespace tacit {
+namespace {
+
+constexpr const char* kSet = "--set";
+
+std::string place(const toml::source_region& source, const std::string& path) {
+  if (source.begin.line == 0) {
+    return path;
+  }
+  return path + ':' + std::to_string(source.begin.line) + ':' + std::to_string(source.begin.column);
+}
+
+toml::table parsed(std::string_view text, const std::string& path) {
+  try {
+    return toml::parse(text, path);
+  } catch (const toml::parse_error& error) {
+    throw ConfigError(place(error.source(), path) + ": " + std::string(error.description()));
+  }
+}
+
+/// The value that `text` spells, or `text` itself for words without quotes.
+toml::table parsed_value(std::string_view text) {
+  try {
+    return toml::parse("value = " + std::string(text));
+  } catch (const toml::parse_error&) {
+    toml::table word;
+    word.insert("value", std::string(text));
+    return word;
+  }
+}
+
+FoundValue found(const toml::node& node, std::string where) {
+  if (const auto* whole = node.as_integer()) {
+    return {whole->get(), std::to_string(whole->get()), std::move(where)};
+  }
+  if (const auto* number = node.as_floating_point()) {
+    return {number->get(), toml_number(number->get()), std::move(where)};
+  }
+  if (const auto* flag = node.as_boolean()) {
+    return {flag->get(), flag->get() ? "true" : "false", std::move(where)};
+  }
+  if (const auto* word = node.as_string()) {
+    return {word->get(), toml_string(word->get()), std::move(where)};
+  }
+  const char* kind = node.is_table() ? "a table" : node.is_array() ? "a list" : "a date or time";
+  return {std::monostate{}, kind, std::move(where)};
+}
+
+std::string section_of(const std::string& path) { return path.substr(0, path.rfind('.')); }
+std::string key_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace
+
+class Document::Tree {
+ public:
+  Tree(toml::table root, std::string path) : root_(std::move(root)), path_(std::move(path)) {}
+
+  [[nodiscard]] std::optional<FoundValue> find(const std::string& section,
+                                               const std::string& key) const {
+    const auto stand_in = stand_ins.find(section + '.' + key);
+    if (stand_in != stand_ins.end()) {
+      return found(*stand_in->second.get("value"), kSet);
+    }
+    const toml::table* table = root_.at_path(section).as_table();
+    const toml::node* node = table != nullptr ? table->get(key) : nullptr;
+    return node != nullptr ? std::optional(found(*node, place(node->source(), path_)))
+                           : std::nullopt;
+  }
+
+  void refuse_unknown_keys() const {
+    for (const auto& [section, keys] : known) {
+      if (const toml::table* table = root_.at_path(section).as_table()) {
+        refuse_unknown_keys(*table, section);
+      }
+    }
+    for (const auto& [path, value] : stand_ins) {
+      if (known.contains(section_of(path))) {
+        require_key(kSet, section_of(path), key_of(path));
+      }
+    }
+  }
+
+  void refuse_unknown_sections() const {
+    refuse_unknown_tables(root_, "");
+    for (const auto& [path, value] : stand_ins) {
+      require_section(kSet, section_of(path));
+    }
+  }
+
+  std::map<std::string, toml::table> stand_ins;           ///< By path.
+  std::map<std::string, std::vector<std::string>> known;  ///< Keys by section.
+
+ private:
+  void refuse_unknown_keys(const toml::table& table, const std::string& section) const {
+    for (const auto& [key, node] : table) {
+      if (!node.is_table()) {
+        require_key(place(key.source(), path_), section, std::string(key.str()));
+      }
+    }
+  }
+
+  void require_key(const std::string& where, const std::string& section,
+                   const std::string& key) const {
+    const std::vector<std::string>& keys = known.at(section);
+    if (!contains(keys, key)) {
+      throw ConfigError(where + ": [" + section + "] has no key \"" + key + '"' +
+                        did_you_mean(key, keys));
+    }
+  }
+
+  void refuse_unknown_tables(const toml::table& table, const std::string& prefix) const {
+    for (const auto& [key, node] : table) {
+      const std::string name = prefix + std::string(key.str());
+      if (const toml::table* inner = node.as_table()) {
+        require_section(place(key.source(), path_), name);
+        refuse_unknown_tables(*inner, name + '.');
+      } else if (prefix.empty()) {
+        throw ConfigError(place(key.source(), path_) + ": \"" + name +
+                          "\" stands outside the sections, wanted it below a [section]");
+      }
+    }
+  }
+
+  /// Known itself, or the way to one that is.
+  void require_section(const std::string& where, const std::string& section) const {
+    std::vector<std::string> names;
+    for (const auto& [name, keys] : known) {
+      if (name == section || name.starts_with(section + '.')) {
+        return;
+      }
+      names.push_back(name);
+    }
+    throw ConfigError(where + ": there is no section [" + section + ']' +
+                      did_you_mean(section, names));
+  }
+
+  toml::table root_;
+  std::string path_;
+};
+
+Document::Document(std::string_view text, const std::string& path)
+    : tree_(std::make_unique<Tree>(parsed(text, path), path)) {}
+Document::~Document() = default;
+
+void Document::set(std::string_view path, std::string_view text) {
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string_view::npos || dot == 0 || dot + 1 == path.size()) {
+    throw ConfigError(std::string(kSet) + ": found \"" + std::string(path) +
+                      "\", wanted section.key=value");
+  }
+  tree_->stand_ins.insert_or_assign(std::string(path), parsed_value(text));
+}
+
+void Document::open(std::string_view section) { tree_->known[std::string(section)]; }
+
+std::optional<FoundValue> Document::find(const std::string& section, std::string_view key) {
+  tree_->known[section].emplace_back(key);
+  return tree_->find(section, std::string(key));
+}
+
+void Document::refuse_unknown_keys() const { tree_->refuse_unknown_keys(); }
+void Document::refuse_unknown_sections() const { tree_->refuse_unknown_sections(); }
+
+}  // namespace tacit

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace tacit {
+
+/// A value as the file gives it.
+struct FoundValue {
+  /// Empty for a list, a table or a date, which no parameter takes.
+  std::variant<std::monostate, std::int64_t, double, bool, std::string> value;
+  std::string spelled;  ///< On one line, for messages.
+  std::string where;    ///< "file:line:col" or "--set".
+};
+
+/// A TOML text, the values that stand in for its own, and what has been asked of it so far.
+class Document {
+ public:
+  /// Throws ConfigError when `text` is not TOML; `path` is its name in messages.
+  Document(std::string_view text, const std::string& path);
+  ~Document();
+
+  /// As ScenarioFile::set.
+  void set(std::string_view path, std::string_view text);
+
+  /// From here on `section` is known.
+  void open(std::string_view section);
+  /// The value of `key`, which from here on is known.
+  [[nodiscard]] std::optional<FoundValue> find(const std::string& section, std::string_view key);
+
+  /// Throws ConfigError when a known section holds an unknown key.
+  void refuse_unknown_keys() const;
+  /// Throws ConfigError when there is an unknown section.
+  void refuse_unknown_sections() const;
+
+ private:
+  class Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace tacit

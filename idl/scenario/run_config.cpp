@@ -1,0 +1,21 @@
+#include "idl/scenario/run_config.h"
+
+namespace tacit {
+
+void describe(RunConfig& config, ParameterVisitor& visitor) {
+  // Seeds stay below 2^53, so that every JSON reader sees the same number.
+  constexpr double kLargestSeed = 9007199254740992.0;
+  constexpr double kYear = 31557600.0;
+  visitor.section("scenario", "What this is.");
+  visitor.text("name", config.name, {"", "Short name, used in run directories and tables."});
+  visitor.text("description", config.description, {"", "One sentence for people."});
+  visitor.section("run", "How long, and with which chance.");
+  visitor.integer("seed", config.seed, {0.0, kLargestSeed},
+                  {"",
+                   "Seed of every stream of chance; the same seed gives the same run. [ours: "
+                   "repeatable runs]"});
+  visitor.number("duration_s", config.duration_s, {0.0, kYear},
+                 {"s", "Simulated time of one run. [ours: the paper is silent]"});
+}
+
+}  // namespace tacit

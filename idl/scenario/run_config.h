@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "idl/types/parameters.h"
+
+namespace tacit {
+
+/// What a run is called, how long it lasts and which chance it draws.
+struct RunConfig {
+  std::string name = "unnamed";
+  std::string description;
+  std::int64_t seed = 1;
+  double duration_s = 900.0;  ///< Simulated.
+};
+
+/// Sections `scenario` and `run`.
+void describe(RunConfig& config, ParameterVisitor& visitor);
+
+}  // namespace tacit

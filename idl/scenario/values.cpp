@@ -1,0 +1,58 @@
+#include "idl/scenario/values.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace tacit {
+namespace {
+
+std::string shortest(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return {digits.data(), end.ptr};
+}
+
+std::string escaped(char c) {
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  const auto byte = static_cast<unsigned char>(c);
+  if (c == '"' || c == '\\') {
+    return {'\\', c};
+  }
+  if (byte >= 0x20 && byte != 0x7f) {
+    return {c};
+  }
+  return {'\\', 'u', '0', '0', kHex[byte >> 4U], kHex[byte & 15U]};
+}
+
+}  // namespace
+
+std::string toml_number(double value) {
+  std::string text = shortest(value);
+  if (std::isfinite(value) && text.find_first_of(".e") == std::string::npos) {
+    text += ".0";
+  }
+  return text;
+}
+
+std::string toml_string(std::string_view value) {
+  std::string text = "\"";
+  for (const char c : value) {
+    text += escaped(c);
+  }
+  return text + '"';
+}
+
+std::string words(const Range& range) {
+  const bool below = std::isfinite(range.min);
+  const bool above = std::isfinite(range.max);
+  if (below && above) {
+    return shortest(range.min) + " to " + shortest(range.max);
+  }
+  if (below) {
+    return "at least " + shortest(range.min);
+  }
+  return above ? "at most " + shortest(range.max) : "";
+}
+
+}  // namespace tacit
