@@ -43,6 +43,40 @@ toml::table parsed_value(std::string_view text) {
   }
 }
 
+std::optional<std::vector<double>> row(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr) {
+    return std::nullopt;
+  }
+  std::vector<double> numbers;
+  for (const toml::node& number : *list) {
+    if (!number.is_number()) {
+      return std::nullopt;
+    }
+    numbers.push_back(*number.value<double>());
+  }
+  return numbers;
+}
+
+std::optional<Rows> rows(const toml::array& list) {
+  Rows all;
+  for (const toml::node& node : list) {
+    std::optional<std::vector<double>> numbers = row(node);
+    if (!numbers) {
+      return std::nullopt;
+    }
+    all.push_back(std::move(*numbers));
+  }
+  return all;
+}
+
+FoundValue found_list(const toml::array& list, std::string where) {
+  if (std::optional<Rows> numbers = rows(list)) {
+    return {std::move(*numbers), "a list of rows", std::move(where)};
+  }
+  return {std::monostate{}, "a list", std::move(where)};
+}
+
 FoundValue found(const toml::node& node, std::string where) {
   if (const auto* whole = node.as_integer()) {
     return {whole->get(), std::to_string(whole->get()), std::move(where)};
@@ -56,8 +90,10 @@ FoundValue found(const toml::node& node, std::string where) {
   if (const auto* word = node.as_string()) {
     return {word->get(), toml_string(word->get()), std::move(where)};
   }
-  const char* kind = node.is_table() ? "a table" : node.is_array() ? "a list" : "a date or time";
-  return {std::monostate{}, kind, std::move(where)};
+  if (const auto* list = node.as_array()) {
+    return found_list(*list, std::move(where));
+  }
+  return {std::monostate{}, node.is_table() ? "a table" : "a date or time", std::move(where)};
 }
 
 std::string section_of(const std::string& path) { return path.substr(0, path.rfind('.')); }

@@ -6,13 +6,16 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace tacit {
 
+using Rows = std::vector<std::vector<double>>;
+
 /// A value as the file gives it.
 struct FoundValue {
-  /// Empty for a list, a table or a date, which no parameter takes.
-  std::variant<std::monostate, std::int64_t, double, bool, std::string> value;
+  /// Empty for what no parameter takes: a table, a date, a list of anything but rows of numbers.
+  std::variant<std::monostate, std::int64_t, double, bool, std::string, Rows> value;
   std::string spelled;  ///< On one line, for messages.
   std::string where;    ///< "file:line:col" or "--set".
 };

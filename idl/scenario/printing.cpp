@@ -23,6 +23,18 @@ struct Section {
   std::vector<Entry> entries;
 };
 
+std::string listed(const std::vector<std::vector<double>>& rows) {
+  std::string text;
+  for (const std::vector<double>& row : rows) {
+    std::string numbers;
+    for (const double number : row) {
+      numbers += (numbers.empty() ? "" : ", ") + toml_number(number);
+    }
+    text += (text.empty() ? "[" : ", [") + numbers + ']';
+  }
+  return '[' + text + ']';
+}
+
 std::string listed(std::span<const std::string_view> choices) {
   std::string text;
   for (const std::string_view choice : choices) {
@@ -50,6 +62,12 @@ class Collector final : public ParameterVisitor {
   void choice(std::string_view key, std::string& value, std::span<const std::string_view> choices,
               ParameterDoc doc) override {
     add(key, toml_string(value), listed(choices), doc);
+  }
+  void rows(std::string_view key, std::vector<std::vector<double>>& value,
+            std::span<const std::string_view> columns, Range range, ParameterDoc doc) override {
+    const std::string bounds = words(range);
+    add(key, listed(value), "rows of " + listed(columns) + (bounds.empty() ? "" : ", ") + bounds,
+        doc);
   }
   void text(std::string_view key, std::string& value, ParameterDoc doc) override {
     add(key, toml_string(value), "text", doc);

@@ -46,6 +46,28 @@ bool within(double value, const Range& range) {
   return std::isfinite(value) && value >= range.min && value <= range.max;
 }
 
+std::string wish_rows(std::span<const std::string_view> columns, const Range& range,
+                      const ParameterDoc& doc) {
+  std::string text = "rows of " + std::to_string(columns.size()) + " numbers [";
+  for (const std::string_view column : columns) {
+    text += (column.data() == columns.front().data() ? "" : ", ") + std::string(column);
+  }
+  return wish(text + ']', range, doc);
+}
+
+/// The number, from 1, of the first row that does not have `columns` numbers within `range`.
+std::optional<std::size_t> bad_row(const Rows& rows, std::size_t columns, const Range& range) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool good = rows[i].size() == columns &&
+                      std::all_of(rows[i].begin(), rows[i].end(),
+                                  [&range](double value) { return within(value, range); });
+    if (!good) {
+      return i + 1;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Gives each visited parameter the document's value.
 class Filler final : public ParameterVisitor {
  public:
@@ -89,6 +111,19 @@ class Filler final : public ParameterVisitor {
           word != nullptr && std::find(choices.begin(), choices.end(), *word) != choices.end();
       require(known, *found, key, wish(choices, word != nullptr ? *word : ""));
       value = *word;
+    }
+  }
+
+  void rows(std::string_view key, Rows& value, std::span<const std::string_view> columns,
+            Range range, ParameterDoc doc) override {
+    if (auto found = document_.find(section_, key)) {
+      auto* rows = std::get_if<Rows>(&found->value);
+      const auto bad = rows != nullptr ? bad_row(*rows, columns.size(), range) : std::nullopt;
+      if (bad) {
+        found->spelled += " whose row " + std::to_string(*bad) + " does not fit";
+      }
+      require(rows != nullptr && !bad, *found, key, wish_rows(columns, range, doc));
+      value = std::move(*rows);
     }
   }
 
