@@ -47,6 +47,7 @@ function(tacit_test name folder)
   endif()
   list(TRANSFORM ARG_SOURCES PREPEND ${CMAKE_SOURCE_DIR}/tests/${folder}/)
   add_executable(${name} ${ARG_SOURCES})
+  tacit_view(${name} tests/${folder} PRIVATE)
   target_link_libraries(${name} PRIVATE ${ARG_LINK} tacit_flags GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TACIT_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                                              TACIT_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
