@@ -35,10 +35,10 @@ std::string listed(const std::vector<std::vector<double>>& rows) {
   return '[' + text + ']';
 }
 
-std::string listed(std::span<const std::string_view> choices) {
+std::string joined(std::span<const std::string_view> words, const char* between) {
   std::string text;
-  for (const std::string_view choice : choices) {
-    text += (text.empty() ? "" : " | ") + std::string(choice);
+  for (const std::string_view word : words) {
+    text += (text.empty() ? "" : between) + std::string(word);
   }
   return text;
 }
@@ -61,13 +61,13 @@ class Collector final : public ParameterVisitor {
   }
   void choice(std::string_view key, std::string& value, std::span<const std::string_view> choices,
               ParameterDoc doc) override {
-    add(key, toml_string(value), listed(choices), doc);
+    add(key, toml_string(value), joined(choices, " | "), doc);
   }
   void rows(std::string_view key, std::vector<std::vector<double>>& value,
             std::span<const std::string_view> columns, Range range, ParameterDoc doc) override {
     const std::string bounds = words(range);
-    add(key, listed(value), "rows of " + listed(columns) + (bounds.empty() ? "" : ", ") + bounds,
-        doc);
+    add(key, listed(value),
+        "rows of " + joined(columns, ", ") + (bounds.empty() ? "" : ", ") + bounds, doc);
   }
   void text(std::string_view key, std::string& value, ParameterDoc doc) override {
     add(key, toml_string(value), "text", doc);
