@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+
+#include "idl/types/event.h"
+#include "idl/types/random.h"
+#include "world_server/world/sensing/line_of_sight.h"
+#include "world_server/world/sensing/near_map.h"
+#include "world_server/world/terrain.h"
+#include "world_server/world/world_config.h"
+
+namespace tacit {
+
+/// What an enemy keeps from tick to tick.
+struct Enemy {
+  EnemyId id;
+  EnemyKind kind = EnemyKind::Normal;
+  std::size_t wave = 0;
+  WorldVec appeared_m;    ///< Where it appeared.
+  Stream chance;          ///< Its own.
+  WorldVec wander;        ///< Held random heading, unit length.
+  Tick wander_until = 0;  ///< Tick at which it is drawn anew.
+};
+
+/// How enemies move. Normal enemies go straight to the target while it is in sight and wander
+/// otherwise; decoys wander near where they appeared (paper, section 2). Both avoid obstacles, by
+/// the same repulsion as the robots.
+class EnemyMind {
+ public:
+  /// Keeps a reference to `terrain`.
+  EnemyMind(const WorldConfig& config, const Terrain& terrain);
+
+  /// The velocity that `enemy`, now at `place_m`, wants at `tick`.
+  [[nodiscard]] WorldVec velocity(Enemy& enemy, const WorldVec& place_m, Tick tick);
+
+ private:
+  [[nodiscard]] bool sees_target(const WorldVec& place_m);
+  [[nodiscard]] WorldVec purpose(const Enemy& enemy, const WorldVec& place_m);
+  [[nodiscard]] WorldVec away_from_obstacles(const WorldVec& place_m) const;
+  void refresh_wander(Enemy& enemy, Tick tick) const;
+
+  EnemyConfig config_;
+  const Terrain* terrain_;
+  WorldVec target_m_;
+  Tick wander_ticks_;
+  NearMap near_;
+  LineOfSight sight_;
+};
+
+}  // namespace tacit

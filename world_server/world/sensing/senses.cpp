@@ -1,0 +1,138 @@
+#include "world_server/world/sensing/senses.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tacit {
+namespace {
+
+// The few farthest go when a sensor is full; what is left keeps its order.
+template <class Seen>
+void keep_nearest(std::vector<Seen>& seen, std::size_t limit) {
+  if (seen.size() <= limit) {
+    return;
+  }
+  std::vector<double> ranges;
+  ranges.reserve(seen.size());
+  for (const Seen& s : seen) {
+    ranges.push_back(s.offset_m.squared_norm());
+  }
+  std::nth_element(ranges.begin(), ranges.begin() + static_cast<std::ptrdiff_t>(limit) - 1,
+                   ranges.end());
+  const double farthest = ranges[limit - 1];
+  std::erase_if(seen, [farthest](const Seen& s) { return s.offset_m.squared_norm() > farthest; });
+  // Several can be equally far.
+  if (seen.size() > limit) {
+    seen.resize(limit);
+  }
+}
+
+}  // namespace
+
+Senses::Senses(const WorldConfig& config, const Terrain& terrain, std::uint64_t seed)
+    : sight_(config.sight),
+      target_(config.target),
+      robot_radius_m_(config.robots.radius_m),
+      enemy_radius_m_(config.enemies.radius_m),
+      robots_(static_cast<std::size_t>(config.robots.count)),
+      range2_m2_(config.sight.range_m * config.sight.range_m),
+      half_view_cos_(sin_cos(config.sight.field_of_view_deg * (0.5 * kPi / 180.0)).cos),
+      panoramic_(config.sight.field_of_view_deg >= 360.0),
+      terrain_(&terrain),
+      near_(terrain, config.sight.obstacle_range_m),
+      line_of_sight_(terrain, config.sight.range_m,
+                     {config.sight.blocked_by_obstacles, config.sight.blocked_by_walls}) {
+  if (config.sight.range_noise_m > 0.0 || config.sight.bearing_noise_deg > 0.0) {
+    for (std::size_t robot = 1; robot <= robots_; ++robot) {
+      noise_.emplace_back(seed, "sight noise", robot);
+    }
+  }
+}
+
+void Senses::sense(const Scene& scene, std::size_t robot, Percept& out) {
+  const Eye eye{scene.places_m[robot], scene.headings[robot]};
+  out.sightings.clear();
+  out.obstacles.clear();
+  line_of_sight_.look_from(eye.place_m);
+  see(eye, {target_.x_m, target_.y_m}, {Kind::Target, Colour::White, {}, target_.radius_m}, out);
+  see_bodies(scene, robot, eye, out);
+  range_obstacles(eye, out);
+  range_border(eye, out);
+  keep_nearest(out.sightings, Percept::kMaxSightings);
+  keep_nearest(out.obstacles, Percept::kMaxObstacles);
+  if (!noise_.empty()) {
+    blur(robot, out);
+  }
+}
+
+void Senses::see_bodies(const Scene& scene, std::size_t robot, const Eye& eye, Percept& out) {
+  scene.grid->near(eye.place_m, sight_.range_m, [&](std::size_t body) {
+    if (body == robot) {
+      return;
+    }
+    const Sighting as = body < robots_ ? Sighting{Kind::Teammate, Colour::Blue, {}, robot_radius_m_}
+                                       : Sighting{Kind::Enemy, Colour::Red, {}, enemy_radius_m_};
+    see(eye, scene.places_m[body], as, out);
+  });
+}
+
+void Senses::see(const Eye& eye, const WorldVec& thing_m, const Sighting& as, Percept& out) {
+  const WorldVec offset = thing_m - eye.place_m;
+  const double range2 = offset.squared_norm();
+  if (range2 > range2_m2_) {
+    return;
+  }
+  const BodyVec seen = to_body(eye.heading, offset);
+  if (!panoramic_ && seen.x() < half_view_cos_ * std::sqrt(range2)) {
+    return;
+  }
+  if (line_of_sight_.clear(offset)) {
+    out.sightings.push_back({as.kind, as.colour, seen, as.radius_m});
+  }
+}
+
+void Senses::range_obstacles(const Eye& eye, Percept& out) const {
+  const NearMap::Near near = near_.near(eye.place_m);
+  for (const std::uint16_t i : near.obstacles) {
+    const Disc& disc = terrain_->obstacles[i];
+    const WorldVec offset = disc.centre_m - eye.place_m;
+    const double reach = sight_.obstacle_range_m + disc.radius_m;
+    if (offset.squared_norm() <= reach * reach) {
+      out.obstacles.push_back({to_body(eye.heading, offset), disc.radius_m});
+    }
+  }
+  for (const std::uint16_t i : near.walls) {
+    const WorldVec offset = nearest_point(terrain_->walls[i], eye.place_m) - eye.place_m;
+    if (offset.squared_norm() <= sight_.obstacle_range_m * sight_.obstacle_range_m) {
+      out.obstacles.push_back({to_body(eye.heading, offset), 0.0});
+    }
+  }
+}
+
+void Senses::range_border(const Eye& eye, Percept& out) const {
+  if (!terrain_->border_walls) {
+    return;
+  }
+  const std::array<WorldVec, 4> to_sides{
+      WorldVec{-eye.place_m.x(), 0}, WorldVec{terrain_->width_m - eye.place_m.x(), 0},
+      WorldVec{0, -eye.place_m.y()}, WorldVec{0, terrain_->height_m - eye.place_m.y()}};
+  for (const WorldVec& offset : to_sides) {
+    if (offset.squared_norm() <= sight_.obstacle_range_m * sight_.obstacle_range_m) {
+      out.obstacles.push_back({to_body(eye.heading, offset), 0.0});
+    }
+  }
+}
+
+void Senses::blur(std::size_t robot, Percept& out) {
+  Stream& noise = noise_[robot];
+  const double bearing_noise_rad = sight_.bearing_noise_deg * (kPi / 180.0);
+  for (Sighting& s : out.sightings) {
+    const double range = s.offset_m.norm();
+    const double stretched = std::max(0.0, range + sight_.range_noise_m * noise.normal());
+    const Heading turn = Heading::from_rad(bearing_noise_rad * noise.normal());
+    const BodyVec turned = from_body<BodyFrame>(turn, s.offset_m);
+    s.offset_m = range > 0.0 ? (stretched / range) * turned : turned;
+  }
+}
+
+}  // namespace tacit

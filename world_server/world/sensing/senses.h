@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "idl/types/percept.h"
+#include "idl/types/random.h"
+#include "world_server/world/sensing/body_grid.h"
+#include "world_server/world/sensing/line_of_sight.h"
+#include "world_server/world/sensing/near_map.h"
+#include "world_server/world/terrain.h"
+#include "world_server/world/world_config.h"
+
+namespace tacit {
+
+/// The moving bodies as the sensors meet them: robots first, in order of id, then enemies.
+struct Scene {
+  std::span<const WorldVec> places_m;
+  std::span<const Heading> headings;  ///< Of the robots.
+  const BodyGrid* grid = nullptr;     ///< Over `places_m`.
+};
+
+/// Turns the world's state into what each robot's sensors deliver.
+///
+/// Things are recognised within range, field of view and line of sight; the target counts as seen
+/// like any other thing. Obstacles are ranged when their surface is near enough; they do not hide
+/// one another. Robots and enemies are too small to hide anything.
+class Senses {
+ public:
+  /// Keeps a reference to `terrain`.
+  Senses(const WorldConfig& config, const Terrain& terrain, std::uint64_t seed);
+
+  /// Fills in `sightings` and `obstacles` of the robot with index `robot`.
+  void sense(const Scene& scene, std::size_t robot, Percept& out);
+
+ private:
+  struct Eye {
+    WorldVec place_m;
+    Heading heading;
+  };
+  void see(const Eye& eye, const WorldVec& thing_m, const Sighting& as, Percept& out);
+  void see_bodies(const Scene& scene, std::size_t robot, const Eye& eye, Percept& out);
+  void range_obstacles(const Eye& eye, Percept& out) const;
+  void range_border(const Eye& eye, Percept& out) const;
+  void blur(std::size_t robot, Percept& out);
+
+  SightConfig sight_;
+  TargetConfig target_;
+  double robot_radius_m_;
+  double enemy_radius_m_;
+  std::size_t robots_;
+  double range2_m2_;
+  double half_view_cos_;
+  bool panoramic_;
+  const Terrain* terrain_;
+  NearMap near_;
+  LineOfSight line_of_sight_;
+  std::vector<Stream> noise_;  ///< One per robot; empty without noise.
+};
+
+}  // namespace tacit

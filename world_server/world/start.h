@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "idl/types/frames.h"
+#include "world_server/world/terrain.h"
+#include "world_server/world/world_config.h"
+
+namespace tacit {
+
+/// Where the robots stand at tick 0, in order of id: evenly on a ring round the target facing
+/// outwards, or scattered over the free area with random headings.
+///
+/// Throws ConfigError when there is no room for one of them.
+[[nodiscard]] std::vector<WorldPose> start_poses(const WorldConfig& config, const Terrain& terrain,
+                                                 std::uint64_t seed);
+
+}  // namespace tacit
