@@ -9,8 +9,8 @@ namespace tacit {
 struct Command {
   RobotId robot;
   Tick tick = 0;
-  BodyVec velocity_mps;      ///< Wanted velocity over ground, body frame.
-  double turn_radps = 0.0;   ///< Wanted turn rate, counter-clockwise.
+  BodyVec velocity_mps;     ///< Wanted velocity over ground, body frame.
+  double turn_radps = 0.0;  ///< Wanted turn rate, counter-clockwise.
 };
 
 }  // namespace tacit

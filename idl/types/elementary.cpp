@@ -72,8 +72,8 @@ double arc_tangent(double y, double x) {
   if (ax == 0.0 && ay == 0.0) {
     return 0.0;
   }
-  const double first_octant = ay <= ax ? arc_tangent_unit(ay / ax)
-                                       : 0.5 * kPi - arc_tangent_unit(ax / ay);
+  const double first_octant =
+      ay <= ax ? arc_tangent_unit(ay / ax) : 0.5 * kPi - arc_tangent_unit(ax / ay);
   const double upper = x < 0.0 ? kPi - first_octant : first_octant;
   return y < 0.0 ? -upper : upper;
 }

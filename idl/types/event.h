@@ -66,9 +66,9 @@ struct RobotLate {
 /// runs that part can be told where.
 struct Checkpoint {
   std::uint64_t state_digest = 0;
-  std::uint32_t enemies = 0;                 ///< Alive, decoys included.
-  double mean_distance_to_target_m = 0.0;    ///< Over the robots.
-  double mean_speed_mps = 0.0;               ///< Over the robots.
+  std::uint32_t enemies = 0;               ///< Alive, decoys included.
+  double mean_distance_to_target_m = 0.0;  ///< Over the robots.
+  double mean_speed_mps = 0.0;             ///< Over the robots.
   friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
 };
 

@@ -36,24 +36,22 @@ std::uint64_t name_hash(std::string_view name) {
   return hash;
 }
 
-std::uint64_t first_half(const Block& block) {
-  return (std::uint64_t{block[1]} << 32) | block[0];
-}
+std::uint64_t first_half(const Block& block) { return (std::uint64_t{block[1]} << 32) | block[0]; }
 
 }  // namespace
 
 Stream::Stream(std::uint64_t seed, std::string_view purpose, std::uint64_t owner)
-    : key_(first_half(philox({static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
-                              0, 0},
-                             name_hash(purpose)))),
+    : key_(first_half(
+          philox({static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), 0, 0},
+                 name_hash(purpose)))),
       owner_(owner) {}
 
 std::uint64_t Stream::bits() {
   const std::uint64_t n = position_++;
-  return first_half(philox({static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n >> 32),
-                            static_cast<std::uint32_t>(owner_),
-                            static_cast<std::uint32_t>(owner_ >> 32)},
-                           key_));
+  return first_half(
+      philox({static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n >> 32),
+              static_cast<std::uint32_t>(owner_), static_cast<std::uint32_t>(owner_ >> 32)},
+             key_));
 }
 
 double Stream::uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }

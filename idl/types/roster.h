@@ -13,10 +13,10 @@ struct Hello {
   RobotId robot;
   std::uint64_t incarnation = 0;
   std::int32_t pid = 0;
-  std::string host;      ///< Host name, so that `pid` can be told from another machine's.
-  std::string version;   ///< Of the agent's program.
-  std::string learner;   ///< As configured.
-  std::string driver;    ///< "sim", …
+  std::string host;             ///< Host name, so that `pid` can be told from another machine's.
+  std::string version;          ///< Of the agent's program.
+  std::string learner;          ///< As configured.
+  std::string driver;           ///< "sim", …
   std::string scenario_digest;  ///< SHA-256 of the resolved scenario the agent read.
 };
 
@@ -55,15 +55,15 @@ enum class RunPhase : std::uint8_t { Gathering, Running, Paused, Ended, Stopped 
 struct RunStatus {
   RunPhase phase = RunPhase::Gathering;
   Tick tick = 0;
-  Tick last_tick = 0;        ///< The tick at which the run will end.
-  std::uint64_t events = 0;  ///< Published so far, so that a reader knows what it still misses.
-  double wall_s = 0.0;       ///< Since the first tick.
-  double first_tick_s = 0.0; ///< From the world server's launch to the first tick.
-  std::uint32_t resent = 0;  ///< Percepts sent again because a command was late.
+  Tick last_tick = 0;         ///< The tick at which the run will end.
+  std::uint64_t events = 0;   ///< Published so far, so that a reader knows what it still misses.
+  double wall_s = 0.0;        ///< Since the first tick.
+  double first_tick_s = 0.0;  ///< From the world server's launch to the first tick.
+  std::uint32_t resent = 0;   ///< Percepts sent again because a command was late.
   std::uint32_t rejected = 0;
   std::uint16_t robots = 0;
   std::uint16_t present = 0;
-  bool repeatable = true;    ///< False once a robot was lost or late.
+  bool repeatable = true;  ///< False once a robot was lost or late.
 };
 
 }  // namespace tacit

@@ -26,9 +26,9 @@ struct Telemetry {
   std::string learner;    ///< "static1", "static2", "lm"; at most 31 characters.
   std::string situation;  ///< "AllClear", …; empty when the learner has none.
   std::vector<SchemaShare> shares;
-  std::uint64_t decisions = 0;      ///< Since the process started.
-  std::uint64_t duplicates = 0;     ///< Percepts of a tick that had been answered already.
-  std::uint64_t rejected = 0;       ///< Samples that `convert` refused.
+  std::uint64_t decisions = 0;   ///< Since the process started.
+  std::uint64_t duplicates = 0;  ///< Percepts of a tick that had been answered already.
+  std::uint64_t rejected = 0;    ///< Samples that `convert` refused.
 };
 
 }  // namespace tacit
