@@ -75,6 +75,8 @@ class Physics::Impl {
     body->setLinearFactor({1, 1, 0});
     body->setAngularFactor(0.0);
     body->setActivationState(DISABLE_DEACTIVATION);
+    // Nothing turns a body, so there is no gyroscopic torque to work out.
+    body->setFlags(0);
     world_.addRigidBody(body.get());
     movers_[slot] = std::move(body);
     return slot;
