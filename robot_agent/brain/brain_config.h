@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "idl/types/parameters.h"
+#include "robot_agent/brain/assemblage/actuator.h"
+#include "robot_agent/brain/learning/learning_momentum.h"
+#include "robot_agent/brain/perception/enemy_groups.h"
+#include "robot_agent/brain/perception/situation.h"
+#include "robot_agent/brain/schemas/registry.h"
+
+namespace tacit {
+
+/// What can set the gains: the paper's three soldier types, and `crowd`, robots that wander to a
+/// goal.
+inline constexpr std::array<std::string_view, 4> kLearners{"static1", "static2", "lm", "crowd"};
+
+[[nodiscard]] Gains static1_gains();
+[[nodiscard]] Gains static2_gains();
+[[nodiscard]] Gains crowd_gains();
+[[nodiscard]] LearningMomentum::Config learning_momentum_config();
+
+/// All that makes one brain differ from another, its robot and the seed apart. The defaults are a
+/// soldier of the paper's section 2.
+struct BrainConfig {
+  std::string learner = "lm";  ///< One of `kLearners`.
+  EnemyGroups::Config enemy_groups;
+  SituationConfig situation;
+  SchemaConfigs schemas;
+  Actuator::Config actuator;
+  Gains static1 = static1_gains();
+  Gains static2 = static2_gains();
+  Gains crowd = crowd_gains();
+  LearningMomentum::Config lm = learning_momentum_config();
+
+  /// The parameters of schema `S`.
+  template <class S>
+  [[nodiscard]] typename S::Config& of() {
+    return std::get<typename S::Config>(schemas);
+  }
+};
+
+void describe(BrainConfig& config, ParameterVisitor& visitor);
+
+/// Throws ConfigError, naming the parameter, when one is out of its range or two contradict.
+void check(const BrainConfig& config);
+
+}  // namespace tacit
