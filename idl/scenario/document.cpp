@@ -70,9 +70,24 @@ std::optional<Rows> rows(const toml::array& list) {
   return all;
 }
 
+std::optional<Texts> texts(const toml::array& list) {
+  Texts all;
+  for (const toml::node& node : list) {
+    const auto* text = node.as_string();
+    if (text == nullptr) {
+      return std::nullopt;
+    }
+    all.push_back(text->get());
+  }
+  return all;
+}
+
 FoundValue found_list(const toml::array& list, std::string where) {
   if (std::optional<Rows> numbers = rows(list)) {
     return {std::move(*numbers), "a list of rows", std::move(where)};
+  }
+  if (std::optional<Texts> all = texts(list)) {
+    return {std::move(*all), "a list of texts", std::move(where)};
   }
   return {std::monostate{}, "a list", std::move(where)};
 }

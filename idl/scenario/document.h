@@ -11,11 +11,13 @@
 namespace tacit {
 
 using Rows = std::vector<std::vector<double>>;
+using Texts = std::vector<std::string>;
 
 /// A value as the file gives it.
 struct FoundValue {
-  /// Empty for what no parameter takes: a table, a date, a list of anything but rows of numbers.
-  std::variant<std::monostate, std::int64_t, double, bool, std::string, Rows> value;
+  /// Empty for what no parameter takes: a table, a date, a list of anything but rows of numbers or texts;
+  /// an empty list counts as one without rows.
+  std::variant<std::monostate, std::int64_t, double, bool, std::string, Rows, Texts> value;
   std::string spelled;  ///< On one line, for messages.
   std::string where;    ///< "file:line:col" or "--set".
 };

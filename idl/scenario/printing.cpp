@@ -35,6 +35,14 @@ std::string listed(const std::vector<std::vector<double>>& rows) {
   return '[' + text + ']';
 }
 
+std::string listed(const std::vector<std::string>& texts) {
+  std::string text;
+  for (const std::string& one : texts) {
+    text += (text.empty() ? "" : ", ") + toml_string(one);
+  }
+  return '[' + text + ']';
+}
+
 std::string joined(std::span<const std::string_view> words, const char* between) {
   std::string text;
   for (const std::string_view word : words) {
@@ -71,6 +79,9 @@ class Collector final : public ParameterVisitor {
   }
   void text(std::string_view key, std::string& value, ParameterDoc doc) override {
     add(key, toml_string(value), "text", doc);
+  }
+  void texts(std::string_view key, std::vector<std::string>& value, ParameterDoc doc) override {
+    add(key, listed(value), "texts", doc);
   }
 
  private:

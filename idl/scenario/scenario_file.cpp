@@ -135,6 +135,16 @@ class Filler final : public ParameterVisitor {
     }
   }
 
+  void texts(std::string_view key, Texts& value, ParameterDoc /*doc*/) override {
+    if (auto found = document_.find(section_, key)) {
+      const auto* rows = std::get_if<Rows>(&found->value);
+      auto* texts = std::get_if<Texts>(&found->value);
+      require(texts != nullptr || (rows != nullptr && rows->empty()), *found, key,
+              "a list of texts in quotes");
+      value = texts != nullptr ? std::move(*texts) : Texts{};
+    }
+  }
+
  private:
   void require(bool good, const FoundValue& found, std::string_view key,
                const std::string& wanted) const {

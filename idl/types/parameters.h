@@ -44,6 +44,8 @@ class ParameterVisitor {
                     std::span<const std::string_view> columns, Range range, ParameterDoc doc) = 0;
   /// Free text for people.
   virtual void text(std::string_view key, std::string& value, ParameterDoc doc) = 0;
+  /// A list of texts: ["one", "two"].
+  virtual void texts(std::string_view key, std::vector<std::string>& value, ParameterDoc doc) = 0;
 };
 
 }  // namespace tacit

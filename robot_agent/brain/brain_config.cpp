@@ -43,6 +43,8 @@ class RangeCheck final : public ParameterVisitor {
   }
 
   void text(std::string_view /*key*/, std::string& /*value*/, ParameterDoc /*doc*/) override {}
+  void texts(std::string_view /*key*/, std::vector<std::string>& /*value*/,
+             ParameterDoc /*doc*/) override {}
 
  private:
   [[noreturn]] void fail(std::string_view key, const std::string& found,
