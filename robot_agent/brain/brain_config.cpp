@@ -43,6 +43,9 @@ class RangeCheck final : public ParameterVisitor {
   }
 
   void text(std::string_view /*key*/, std::string& /*value*/, ParameterDoc /*doc*/) override {}
+
+  void texts(std::string_view /*key*/, std::vector<std::string>& /*value*/,
+             ParameterDoc /*doc*/) override {}
   void texts(std::string_view /*key*/, std::vector<std::string>& /*value*/,
              ParameterDoc /*doc*/) override {}
 
