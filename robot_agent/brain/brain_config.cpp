@@ -46,8 +46,6 @@ class RangeCheck final : public ParameterVisitor {
 
   void texts(std::string_view /*key*/, std::vector<std::string>& /*value*/,
              ParameterDoc /*doc*/) override {}
-  void texts(std::string_view /*key*/, std::vector<std::string>& /*value*/,
-             ParameterDoc /*doc*/) override {}
 
  private:
   [[noreturn]] void fail(std::string_view key, const std::string& found,
