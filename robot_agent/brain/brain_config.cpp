@@ -16,7 +16,7 @@ class RangeCheck final : public ParameterVisitor {
   void number(std::string_view key, double& value, Range range, ParameterDoc doc) override {
     // Written so that a NaN fails.
     if (value >= range.min && value <= range.max) return;
-    const std::string unit = doc.unit.empty() ? "" : " " + std::string(doc.unit);
+    const std::string unit = doc.unit.empty() ? std::string() : std::string(" ").append(doc.unit);
     fail(key, shortest(value) + unit, shortest(range.min) + " to " + shortest(range.max) + unit);
   }
 
@@ -32,7 +32,7 @@ class RangeCheck final : public ParameterVisitor {
     if (std::find(choices.begin(), choices.end(), value) != choices.end()) return;
     std::string wanted = "one of";
     for (const std::string_view each : choices) wanted.append(" ").append(each);
-    fail(key, '"' + value + '"', wanted);
+    fail(key, value, wanted);
   }
 
   void rows(std::string_view key, std::vector<std::vector<double>>& value,
