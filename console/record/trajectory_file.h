@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "console/record/append_file.h"
+#include "idl/types/world_view.h"
+
+namespace tacit {
+
+/// Where every body was: CSV with the columns tick,id,kind,x_m,y_m,heading_rad in the world frame.
+/// `kind` is robot, normal or decoy; the heading is empty for enemies.
+class TrajectoryFile {
+ public:
+  /// Opens or creates `file` as AppendFile does. Throws RecordError.
+  explicit TrajectoryFile(const std::filesystem::path& file);
+
+  /// Throws RecordError when it cannot be written; then nothing of `view` is.
+  void append(const WorldView& view);
+  void sync() { file_.sync(); }
+
+ private:
+  AppendFile file_;
+  std::string lines_;
+};
+
+}  // namespace tacit
