@@ -1,0 +1,191 @@
+#include "tests/architecture/rules.h"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace tacit {
+namespace {
+
+/// Headers whose contents depend on their arguments alone.
+const std::set<std::string> kPureHeaders{
+    "<Eigen/Core>", "<algorithm>", "<array>",       "<bit>",          "<cassert>", "<charconv>",
+    "<cmath>",      "<compare>",   "<concepts>",    "<cstddef>",      "<cstdio>",  "<cstdint>",
+    "<cstdlib>",    "<cstring>",   "<functional>",  "<iterator>",     "<limits>",  "<map>",
+    "<memory>",     "<numeric>",   "<optional>",    "<queue>",        "<set>",     "<span>",
+    "<stdexcept>",  "<string>",    "<string_view>", "<system_error>", "<tuple>",   "<type_traits>",
+    "<utility>",    "<variant>",   "<vector>"};
+
+/// Patterns of names that pure code does without, and why.
+struct Ban {
+  std::regex pattern;
+  std::string why;
+};
+
+const std::vector<Ban>& bans() {
+  static const std::vector<Ban> kBans{
+      {std::regex(R"(\bstd::(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|pow|)"
+                  R"(log|log2|log10|log1p|hypot|cbrt|erf|erfc|tgamma|lgamma|fma)\b)"),
+       "its bits differ between machines"},
+      {std::regex(R"((^|[^\w.:>])(sin|cos|tan|atan|atan2|exp|pow|log|hypot|fma)\s*\()"),
+       "its bits differ between machines"},
+      {std::regex(R"(\bstd::(rand|srand|random_device|mt19937\w*|\w+_distribution)\b)"),
+       "chance comes from a Stream"},
+      {std::regex(R"((^|[^\w.:>])(rand|srand|drand48|getentropy)\s*\()"),
+       "chance comes from a Stream"},
+      {std::regex(R"(\bstd::(chrono|this_thread|thread|jthread|mutex|atomic\w*|async|future|)"
+                  R"(condition_variable)\b|\bthread_local\b)"),
+       "pure code knows neither time nor threads"},
+      {std::regex(R"((^|[^\w.:>])(time|clock|gettimeofday|clock_gettime|getenv|system)\s*\()"),
+       "pure code knows neither time nor environment"},
+      {std::regex(R"(\bstd::(cout|cerr|clog|cin|getenv|\w*fstream|filesystem|v?f?printf|fopen)\b|)"
+                  R"((^|[^\w.:>])(f?printf|puts|fopen|fputs)\s*\(|\bspdlog::)"),
+       "pure code neither reads, writes nor logs"},
+      {std::regex(R"(\bstd::unordered_\w+)"), "its order differs between libraries"},
+      {std::regex(R"(\bstd::(set|map|multiset|multimap)<[^,>]*\*)"),
+       "the order of pointers differs between runs"},
+  };
+  return kBans;
+}
+
+std::string number_of_line(const std::string& text, std::size_t at) {
+  const auto here = text.begin() + static_cast<std::ptrdiff_t>(at);
+  return std::to_string(1 + std::count(text.begin(), here, '\n'));
+}
+
+/// Bullet has no folder of its own, so a header of the tree is known by its quotes.
+bool is_bullet(const std::string& header) { return header.starts_with("<bt"); }
+
+/// A family of headers and the one place for them.
+struct Place {
+  std::regex header;
+  std::regex files;
+  std::string name;
+};
+
+const std::vector<Place>& places() {
+  static const std::vector<Place> kPlaces{
+      {std::regex(R"(<(bt[A-Z]|Bullet|LinearMath).*)"),
+       std::regex(R"(world_server/world/physics\w*\.cpp|tests/.*|world_server/bench/.*)"),
+       "Bullet"},
+      {std::regex(R"([<"](fastdds|fastrtps|fastcdr|idl/wire)/.*)"),
+       std::regex(R"(idl/bus/\w+\.(cpp|h)|tests/.*)"), "Fast DDS"},
+      {std::regex(R"(<toml\+\+/.*)"), std::regex(R"(idl/scenario/document\.cpp)"), "toml++"},
+      {std::regex(R"(<SQLiteCpp/.*|<sqlite3.*|<openssl/.*)"),
+       std::regex(R"(console/record/.*|tests/.*)"), "storage"},
+  };
+  return kPlaces;
+}
+
+/// Who may link whom; libraries of others count as well as our own.
+const LinkGraph& table() {
+  static const LinkGraph kTable{
+      {"types", {"Eigen3::Eigen"}},
+      {"scenario", {"types", "tomlplusplus::tomlplusplus"}},
+      {"version", {}},
+      {"topics", {"types"}},
+      {"wire", {"fastrtps", "fastcdr"}},
+      {"bus", {"types", "topics", "wire", "Threads::Threads", "spdlog::spdlog"}},
+      {"brain", {"types"}},
+      {"world", {"types", "PkgConfig::BULLET"}},
+      {"metrics", {"types"}},
+      {"record",
+       {"types", "metrics", "OpenSSL::Crypto", "SQLiteCpp", "nlohmann_json::nlohmann_json"}},
+      {"report", {"types", "metrics", "Boost::headers", "nlohmann_json::nlohmann_json"}},
+      {"lockstep", {"types", "scenario", "brain", "world", "metrics"}},
+      {"experiment", {"lockstep", "report", "record", "scenario", "Threads::Threads"}},
+      {"world_server",
+       {"world", "types", "bus", "topics", "scenario", "version", "CLI11::CLI11",
+        "spdlog::spdlog"}},
+      {"robot_agent",
+       {"brain", "types", "bus", "topics", "scenario", "version", "CLI11::CLI11",
+        "spdlog::spdlog"}},
+      {"console",
+       {"metrics", "record", "report", "types", "bus", "topics", "scenario", "version",
+        "CLI11::CLI11", "spdlog::spdlog"}},
+  };
+  return kTable;
+}
+
+}  // namespace
+
+Findings impurities(const std::vector<SourceFile>& files) {
+  Findings findings;
+  for (const SourceFile& file : files) {
+    for (const std::string& header : includes(file)) {
+      if (header.front() == '<' && !kPureHeaders.contains(header) && !is_bullet(header)) {
+        findings.push_back(file.path + ": pure code includes " + header);
+      }
+    }
+    const std::string code = code_only(file.text);
+    for (const Ban& ban : bans()) {
+      for (std::sregex_iterator hit(code.begin(), code.end(), ban.pattern), end; hit != end;
+           ++hit) {
+        const auto at = static_cast<std::size_t>(hit->position());
+        findings.push_back(file.path + ':' + number_of_line(code, at) + ": " + hit->str() + ": " +
+                           ban.why);
+      }
+    }
+  }
+  return findings;
+}
+
+Findings misplaced_middleware(const std::vector<SourceFile>& files) {
+  Findings findings;
+  for (const SourceFile& file : files) {
+    for (const std::string& header : includes(file)) {
+      for (const Place& place : places()) {
+        if (std::regex_match(header, place.header) && !std::regex_match(file.path, place.files)) {
+          findings.push_back(file.path + ": " + place.name + " has no place here: " + header);
+        }
+      }
+    }
+  }
+  return findings;
+}
+
+Findings relative_includes(const std::vector<SourceFile>& files) {
+  Findings findings;
+  for (const SourceFile& file : files) {
+    for (const std::string& header : includes(file)) {
+      if (header.front() == '"' &&
+          (header.starts_with("\".") || header.find('/') == std::string::npos)) {
+        findings.push_back(file.path + ": not written from the root: " + header);
+      }
+    }
+  }
+  return findings;
+}
+
+LinkGraph parse_link_graph(const std::string& text) {
+  LinkGraph graph;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = line.find(": ");
+    std::istringstream words(colon == std::string::npos ? "" : line.substr(colon + 1));
+    std::set<std::string>& linked = graph[line.substr(0, line.find(':'))];
+    for (std::string word; words >> word;) {
+      linked.insert(word);
+    }
+  }
+  return graph;
+}
+
+Findings forbidden_links(const LinkGraph& graph) {
+  Findings findings;
+  for (const auto& [target, linked] : graph) {
+    const auto row = table().find(target);
+    if (row == table().end()) {
+      findings.push_back(target + ": not in the table of who may use whom");
+      continue;
+    }
+    for (const std::string& library : linked) {
+      if (!row->second.contains(library)) {
+        findings.push_back(target + ": may not use " + library);
+      }
+    }
+  }
+  return findings;
+}
+
+}  // namespace tacit
