@@ -54,7 +54,8 @@ void AppendFile::append(std::string_view lines) {
   try {
     write_all(file_.get(), lines, path_);
   } catch (const RecordError&) {
-    cut_to(size_);
+    // Should this fail too, whoever opens the file next cuts off the torn line.
+    static_cast<void>(::ftruncate(file_.get(), static_cast<off_t>(size_)));
     throw;
   }
   size_ += lines.size();
