@@ -15,8 +15,6 @@
 namespace tacit {
 namespace {
 
-constexpr const char* kSet = "--set";
-
 std::string place(const toml::source_region& source, const std::string& path) {
   if (source.begin.line == 0) {
     return path;
@@ -111,6 +109,12 @@ FoundValue found(const toml::node& node, std::string where) {
   return {std::monostate{}, node.is_table() ? "a table" : "a date or time", std::move(where)};
 }
 
+/// A value from elsewhere than the file.
+struct StandIn {
+  toml::table value;
+  std::string giver;
+};
+
 std::string section_of(const std::string& path) { return path.substr(0, path.rfind('.')); }
 std::string key_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
@@ -128,12 +132,16 @@ class Document::Tree {
                                                const std::string& key) const {
     const auto stand_in = stand_ins.find(section + '.' + key);
     if (stand_in != stand_ins.end()) {
-      return found(*stand_in->second.get("value"), kSet);
+      return found(*stand_in->second.value.get("value"), stand_in->second.giver);
     }
     const toml::table* table = root_.at_path(section).as_table();
     const toml::node* node = table != nullptr ? table->get(key) : nullptr;
     return node != nullptr ? std::optional(found(*node, place(node->source(), path_)))
                            : std::nullopt;
+  }
+
+  [[nodiscard]] bool has(std::string_view section) const {
+    return root_.at_path(section).is_table();
   }
 
   void refuse_unknown_keys() const {
@@ -142,21 +150,21 @@ class Document::Tree {
         refuse_unknown_keys(*table, section);
       }
     }
-    for (const auto& [path, value] : stand_ins) {
+    for (const auto& [path, stand_in] : stand_ins) {
       if (known.contains(section_of(path))) {
-        require_key(kSet, section_of(path), key_of(path));
+        require_key(stand_in.giver, section_of(path), key_of(path));
       }
     }
   }
 
   void refuse_unknown_sections() const {
     refuse_unknown_tables(root_, "");
-    for (const auto& [path, value] : stand_ins) {
-      require_section(kSet, section_of(path));
+    for (const auto& [path, stand_in] : stand_ins) {
+      require_section(stand_in.giver, section_of(path));
     }
   }
 
-  std::map<std::string, toml::table> stand_ins;           ///< By path.
+  std::map<std::string, StandIn> stand_ins;               ///< By path.
   std::map<std::string, std::vector<std::string>> known;  ///< Keys by section.
 
  private:
@@ -211,14 +219,17 @@ Document::Document(std::string_view text, const std::string& path)
     : tree_(std::make_unique<Tree>(parsed(text, path), path)) {}
 Document::~Document() = default;
 
-void Document::set(std::string_view path, std::string_view text) {
+void Document::set(std::string_view path, std::string_view text, std::string_view giver) {
   const std::size_t dot = path.rfind('.');
   if (dot == std::string_view::npos || dot == 0 || dot + 1 == path.size()) {
-    throw ConfigError(std::string(kSet) + ": found \"" + std::string(path) +
+    throw ConfigError(std::string(giver) + ": found \"" + std::string(path) +
                       "\", wanted section.key=value");
   }
-  tree_->stand_ins.insert_or_assign(std::string(path), parsed_value(text));
+  tree_->stand_ins.insert_or_assign(std::string(path),
+                                    StandIn{parsed_value(text), std::string(giver)});
 }
+
+bool Document::has(std::string_view section) const { return tree_->has(section); }
 
 void Document::open(std::string_view section) { tree_->known[std::string(section)]; }
 

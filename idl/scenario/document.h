@@ -15,11 +15,11 @@ using Texts = std::vector<std::string>;
 
 /// A value as the file gives it.
 struct FoundValue {
-  /// Empty for what no parameter takes: a table, a date, a list of anything but rows of numbers or texts;
-  /// an empty list counts as one without rows.
+  /// Empty for what no parameter takes: a table, a date, a list of anything but rows of numbers or
+  /// texts; an empty list counts as one without rows.
   std::variant<std::monostate, std::int64_t, double, bool, std::string, Rows, Texts> value;
   std::string spelled;  ///< On one line, for messages.
-  std::string where;    ///< "file:line:col" or "--set".
+  std::string where;    ///< "file:line:col" or who set it.
 };
 
 /// A TOML text, the values that stand in for its own, and what has been asked of it so far.
@@ -30,7 +30,9 @@ class Document {
   ~Document();
 
   /// As ScenarioFile::set.
-  void set(std::string_view path, std::string_view text);
+  void set(std::string_view path, std::string_view text, std::string_view giver);
+  /// As ScenarioFile::has.
+  [[nodiscard]] bool has(std::string_view section) const;
 
   /// From here on `section` is known.
   void open(std::string_view section);

@@ -178,7 +178,11 @@ ScenarioFile ScenarioFile::parse(std::string_view text, const std::string& path)
   return ScenarioFile(std::make_unique<Document>(text, path));
 }
 
-void ScenarioFile::set(std::string_view path, std::string_view text) { document_->set(path, text); }
+void ScenarioFile::set(std::string_view path, std::string_view text, std::string_view giver) {
+  document_->set(path, text, giver);
+}
+
+bool ScenarioFile::has(std::string_view section) const { return document_->has(section); }
 
 void ScenarioFile::fill(const Describe& describe_all) {
   Filler filler(*document_);

@@ -15,7 +15,7 @@ class Document;
 /// A scenario in TOML: tables of parameters, each known to one `describe` function.
 ///
 /// Every error is a ConfigError "file:line:col: [section] key = value: found ..., wanted ...";
-/// a value from `set` has "--set" in place of the file.
+/// a value from `set` has its giver's name in place of the file.
 class ScenarioFile {
  public:
   /// Shows a visitor every parameter of one or more configuration structs.
@@ -31,8 +31,12 @@ class ScenarioFile {
   ScenarioFile& operator=(ScenarioFile&&) noexcept;
 
   /// Lets `text` stand for the value of `section.key` from the next `fill` on. `text` is a TOML
-  /// value; words need no quotes. Throws ConfigError when `path` names no section and key.
-  void set(std::string_view path, std::string_view text);
+  /// value; words need no quotes; `giver` stands for the place in errors. Throws ConfigError when
+  /// `path` names no section and key.
+  void set(std::string_view path, std::string_view text, std::string_view giver = "--set");
+
+  /// Whether the file itself, `set` aside, holds the table `[section]`.
+  [[nodiscard]] bool has(std::string_view section) const;
 
   /// Gives each parameter that the file names its value; the others keep theirs. Throws ConfigError
   /// on a wrong type, a value outside its range or choices, and a key that no parameter has.

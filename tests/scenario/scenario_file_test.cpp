@@ -169,6 +169,19 @@ TEST(ScenarioFileSet, NamesItselfAsThePlaceOfAWrongValue) {
             "--set: [robots] count = \"many\": found \"many\", wanted a whole number of 1 to 1000");
 }
 
+TEST(ScenarioFileSet, NamesItsGiverAsThePlaceOfAWrongValue) {
+  ScenarioFile file = ScenarioFile::parse("", "team.toml");
+  file.set("robots.count", "0", "--robots");
+  SampleConfig config;
+  try {
+    file.fill(config);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(error.what(),
+                 "--robots: [robots] count = 0: found 0, wanted a whole number of 1 to 1000");
+  }
+}
+
 TEST(ScenarioFileSet, RefusesAnUnknownKey) {
   EXPECT_EQ(complaint("", "robots.cuont", "1"),
             "--set: [robots] has no key \"cuont\", did you mean \"count\"?");
@@ -181,6 +194,13 @@ TEST(ScenarioFileSet, RefusesAnUnknownSection) {
 
 TEST(ScenarioFileSet, RefusesAPathWithoutSection) {
   EXPECT_EQ(complaint("", "count", "1"), "--set: found \"count\", wanted section.key=value");
+}
+
+TEST(ScenarioFile, KnowsWhichTablesItHolds) {
+  const ScenarioFile file = ScenarioFile::parse("[robots.brain]\n", "team.toml");
+  EXPECT_TRUE(file.has("robots"));
+  EXPECT_TRUE(file.has("robots.brain"));
+  EXPECT_FALSE(file.has("run"));
 }
 
 TEST(RunConfig, RefusesANegativeDuration) {
