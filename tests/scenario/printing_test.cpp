@@ -17,6 +17,7 @@ SampleConfig awkward() {
   config.learner = "static1";
   config.note = "a \"quoted\" \\ line\nbreak, tab\t and ü";
   config.discs = {{1.0 / 3.0, 1e-17, 99.0}, {4.0, 5.0, 6.0}};
+  config.tags = {"one", "a \"b\""};
   return config;
 }
 
@@ -29,6 +30,7 @@ TEST(ToToml, ReadsBackToTheSameBits) {
   EXPECT_EQ(read.learner, written.learner);
   EXPECT_EQ(read.note, written.note);
   EXPECT_EQ(read.discs, written.discs);
+  EXPECT_EQ(read.tags, written.tags);
 }
 
 TEST(ToToml, PrintsTheSameTextAfterReadingItsOwn) {

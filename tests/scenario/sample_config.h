@@ -19,6 +19,7 @@ struct SampleConfig {
   std::string learner = "lm";
   std::string note = "plain";
   std::vector<std::vector<double>> discs;
+  std::vector<std::string> tags;
 };
 
 inline void describe(SampleConfig& config, ParameterVisitor& visitor) {
@@ -31,6 +32,7 @@ inline void describe(SampleConfig& config, ParameterVisitor& visitor) {
   visitor.section("robots.brain", "The minds.");
   visitor.choice("learner", config.learner, kLearners, {"", "What adapts. [paper]"});
   visitor.text("note", config.note, {"", "For people."});
+  visitor.texts("tags", config.tags, {"", "Labels."});
   visitor.rows("discs", config.discs, kColumns, {0, 100}, {"m", "Obstacles. [MissionLab]"});
 }
 

@@ -91,8 +91,16 @@ TEST(ScenarioFile, RefusesANumberOutOfRangeInARow) {
 }
 
 TEST(ScenarioFile, RefusesAListOfWordsWhereRowsAreWanted) {
-  EXPECT_NE(complaint("[robots.brain]\ndiscs = [\"a\"]\n").find("found a list, wanted rows"),
+  EXPECT_NE(complaint("[robots.brain]\ndiscs = [\"a\"]\n").find("wanted rows"), std::string::npos);
+}
+
+TEST(ScenarioFile, RefusesNumbersWhereTextsAreWanted) {
+  EXPECT_NE(complaint("[robots.brain]\ntags = [[1]]\n").find("wanted a list of texts in quotes"),
             std::string::npos);
+}
+
+TEST(ScenarioFile, TakesAnEmptyListForNoTexts) {
+  EXPECT_EQ(complaint("[robots.brain]\ntags = []\n"), "");
 }
 
 TEST(ScenarioFile, RefusesATableWhereANumberIsWanted) {
