@@ -1,30 +1,15 @@
 #include "idl/types/random.h"
 
-#include <array>
-
 #include "idl/types/elementary.h"
 
 namespace tacit {
 namespace {
 
-using Block = std::array<std::uint32_t, 4>;
-
-Block philox_round(const Block& c, std::uint32_t k0, std::uint32_t k1) {
+PhiloxBlock philox_round(const PhiloxBlock& c, std::uint32_t k0, std::uint32_t k1) {
   const std::uint64_t a = std::uint64_t{0xD2511F53} * c[0];
   const std::uint64_t b = std::uint64_t{0xCD9E8D57} * c[2];
   return {static_cast<std::uint32_t>(b >> 32) ^ c[1] ^ k0, static_cast<std::uint32_t>(b),
           static_cast<std::uint32_t>(a >> 32) ^ c[3] ^ k1, static_cast<std::uint32_t>(a)};
-}
-
-Block philox(Block counter, std::uint64_t key) {
-  auto k0 = static_cast<std::uint32_t>(key);
-  auto k1 = static_cast<std::uint32_t>(key >> 32);
-  for (int round = 0; round < 10; ++round) {
-    counter = philox_round(counter, k0, k1);
-    k0 += 0x9E3779B9;
-    k1 += 0xBB67AE85;
-  }
-  return counter;
 }
 
 // FNV-1a, to turn a purpose into a number.
@@ -36,9 +21,22 @@ std::uint64_t name_hash(std::string_view name) {
   return hash;
 }
 
-std::uint64_t first_half(const Block& block) { return (std::uint64_t{block[1]} << 32) | block[0]; }
+std::uint64_t first_half(const PhiloxBlock& block) {
+  return (std::uint64_t{block[1]} << 32) | block[0];
+}
 
 }  // namespace
+
+PhiloxBlock philox(PhiloxBlock counter, std::uint64_t key) {
+  auto k0 = static_cast<std::uint32_t>(key);
+  auto k1 = static_cast<std::uint32_t>(key >> 32);
+  for (int round = 0; round < 10; ++round) {
+    counter = philox_round(counter, k0, k1);
+    k0 += 0x9E3779B9;
+    k1 += 0xBB67AE85;
+  }
+  return counter;
+}
 
 Stream::Stream(std::uint64_t seed, std::string_view purpose, std::uint64_t owner)
     : key_(first_half(

@@ -1,9 +1,17 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
 namespace tacit {
+
+/// What the generator takes in and gives out at once.
+using PhiloxBlock = std::array<std::uint32_t, 4>;
+
+/// Philox 4x32-10 (Salmon et al. 2011): a block of chance for every counter and key. The key's
+/// low half is the generator's first key word.
+[[nodiscard]] PhiloxBlock philox(PhiloxBlock counter, std::uint64_t key);
 
 /// A stream of chance, named by what it is for.
 ///
