@@ -17,8 +17,10 @@ const BrainConfig& checked(const BrainConfig& config) {
 }
 
 std::unique_ptr<Learner> make_learner(const BrainConfig& config) {
-  if (config.learner == "lm")
-    return std::make_unique<LearningMomentum>(config.lm, config.situation);
+  if (config.learner == "lm") {
+    return std::make_unique<LearningMomentum>(config.lm, config.situation,
+                                              Occlusion(config.occlusion));
+  }
   const Gains& gains = config.learner == "static1"   ? config.static1
                        : config.learner == "static2" ? config.static2
                                                      : config.crowd;
@@ -39,7 +41,8 @@ class Brain::Mind {
       : robot_(self.robot),
         learner_name_(checked(config).learner),
         learner_(make_learner(config)),
-        perception_(config.enemy_groups, attention(config, *learner_)),
+        perception_(EnemyGroups(config.enemy_groups), Occlusion(config.occlusion),
+                    attention(config, *learner_)),
         assemblage_(config.schemas, self, learner_->ceiling()),
         actuator_(config.actuator) {}
 

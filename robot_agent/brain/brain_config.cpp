@@ -106,6 +106,7 @@ void describe(BrainConfig& config, ParameterVisitor& visitor) {
                   "What sets the gains: fixed weights (static1, static2), learning momentum (lm), "
                   "or wandering to a goal without a thought of enemies (crowd) [paper]."});
   describe(config.enemy_groups, visitor);
+  describe(config.occlusion, visitor);
   describe(config.situation, visitor);
   for_each_schema([&]<class S>() { describe(config.of<S>(), visitor); });
   describe(config.actuator, visitor);
@@ -133,7 +134,7 @@ void check(const BrainConfig& config) {
   for_each_schema([&]<class S>() {
     static_cast<void>(make_schema<S>(config.schemas, Self{RobotId{1}, 0}));
   });
-  static_cast<void>(LearningMomentum(config.lm, config.situation));
+  static_cast<void>(LearningMomentum(config.lm, config.situation, Occlusion(config.occlusion)));
 }
 
 }  // namespace tacit

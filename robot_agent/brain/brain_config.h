@@ -8,6 +8,7 @@
 #include "robot_agent/brain/assemblage/actuator.h"
 #include "robot_agent/brain/learning/learning_momentum.h"
 #include "robot_agent/brain/perception/enemy_groups.h"
+#include "robot_agent/brain/perception/occlusion.h"
 #include "robot_agent/brain/perception/situation.h"
 #include "robot_agent/brain/schemas/registry.h"
 
@@ -27,6 +28,7 @@ inline constexpr std::array<std::string_view, 4> kLearners{"static1", "static2",
 struct BrainConfig {
   std::string learner = "lm";  ///< One of `kLearners`.
   EnemyGroups::Config enemy_groups;
+  Occlusion::Config occlusion;
   SituationConfig situation;
   SchemaConfigs schemas;
   Actuator::Config actuator;

@@ -58,8 +58,9 @@ void check_bounds(const LearningMomentum::Config& config, const Adapted& gain) {
 
 }  // namespace
 
-LearningMomentum::LearningMomentum(const Config& config, const SituationConfig& situation)
-    : config_(config), situation_config_(situation), gains_(config.initial) {
+LearningMomentum::LearningMomentum(const Config& config, const SituationConfig& situation,
+                                   const Occlusion& occlusion)
+    : config_(config), situation_config_(situation), occlusion_(occlusion), gains_(config.initial) {
   for (const Adapted& gain : kAdapted) check_bounds(config, gain);
 }
 
@@ -67,7 +68,7 @@ void LearningMomentum::learn(const Surroundings& around) {
   const std::uint64_t period = around.tick / static_cast<Tick>(config_.period_ticks);
   if (period == period_) return;
   period_ = period;
-  situation_ = tacit::situation(around, situation_config_);
+  situation_ = tacit::situation(around, occlusion_, situation_config_);
   adapt(*situation_);
 }
 

@@ -44,7 +44,8 @@ class LearningMomentum final : public Learner {
     AdaptedGains max{1.0, 1.0, 0.6};
   };
   /// Throws ConfigError unless min <= initial <= max for each adapted gain.
-  LearningMomentum(const Config& config, const SituationConfig& situation);
+  LearningMomentum(const Config& config, const SituationConfig& situation,
+                   const Occlusion& occlusion);
 
   /// Adapts at the ticks that are multiples of the period, 0 excepted; when percepts were missed,
   /// at the first one after such a tick.
@@ -60,6 +61,7 @@ class LearningMomentum final : public Learner {
 
   Config config_;
   SituationConfig situation_config_;
+  Occlusion occlusion_;
   Gains gains_;
   std::optional<Situation> situation_;
   std::uint64_t period_ = 0;  ///< Whole periods at the last adaption.

@@ -18,16 +18,13 @@ EnemyGroup summary(std::span<const Seen> members) {
 }  // namespace
 
 EnemyGroups::EnemyGroups(const Config& config)
-    : squared_link_m2_(config.linking_distance_m * config.linking_distance_m),
-      cos_occlusion_(sin_cos(config.occlusion_deg * kPi / 180.0).cos) {}
+    : squared_link_m2_(config.linking_distance_m * config.linking_distance_m) {}
 
-void EnemyGroups::find(std::vector<Seen>& enemies, std::span<const Seen> teammates,
-                       std::vector<EnemyGroup>& groups) const {
+void EnemyGroups::find(std::vector<Seen>& enemies, std::vector<EnemyGroup>& groups) const {
   groups.clear();
   for (std::span<Seen> rest(enemies); !rest.empty();) {
     const std::size_t size = gather(rest);
-    EnemyGroup& group = groups.emplace_back(summary(rest.first(size)));
-    group.interceptors = interceptors(group.centroid_m, teammates);
+    groups.push_back(summary(rest.first(size)));
     rest = rest.subspan(size);
   }
 }
@@ -47,19 +44,6 @@ std::size_t EnemyGroups::gather(std::span<Seen> enemies) const {
   return size;
 }
 
-std::size_t EnemyGroups::interceptors(const BodyVec& group_m,
-                                      std::span<const Seen> teammates) const {
-  const double squared_range_m2 = group_m.squared_norm();
-  const double least_cos_m = cos_occlusion_ * std::sqrt(squared_range_m2);
-  std::size_t count = 0;
-  for (const Seen& mate : teammates) {
-    const bool nearer_to_group = (group_m - mate.offset_m).squared_norm() < squared_range_m2;
-    const bool in_line = mate.offset_m.dot(group_m) >= least_cos_m * mate.range_m;
-    count += static_cast<std::size_t>(mate.able && nearer_to_group && in_line);
-  }
-  return count;
-}
-
 const EnemyGroup* nearest_group(std::span<const EnemyGroup> groups) {
   const EnemyGroup* best = nullptr;
   for (const EnemyGroup& group : groups) {
@@ -68,25 +52,12 @@ const EnemyGroup* nearest_group(std::span<const EnemyGroup> groups) {
   return best;
 }
 
-const EnemyGroup* nearest_open_group(std::span<const EnemyGroup> groups) {
-  const EnemyGroup* best = nullptr;
-  for (const EnemyGroup& group : groups) {
-    if (group.occluded()) continue;
-    if (best == nullptr || nearer(group.nearest, best->nearest)) best = &group;
-  }
-  return best;
-}
-
 void describe(EnemyGroups::Config& config, ParameterVisitor& visitor) {
-  visitor.section("brain.enemy_groups", "Which enemies are one group and who has taken it on.");
+  visitor.section("brain.enemy_groups", "Which enemies are one group.");
   visitor.number("linking_distance_m", config.linking_distance_m, {0.0, 1000.0},
                  {"m",
                   "Enemies this near to each other are in one group [ours: three times the spread "
                   "of a group of five at its creation]."});
-  visitor.number("occlusion_deg", config.occlusion_deg, {0.0, 180.0},
-                 {"deg",
-                  "A nearer teammate this close to the line of sight occludes a group [ours: the "
-                  "paper names occlusion without an angle]."});
 }
 
 }  // namespace tacit

@@ -4,8 +4,8 @@
 
 namespace tacit {
 
-Perception::Perception(const EnemyGroups::Config& config, Attention attention)
-    : groups_(config), attention_(attention) {
+Perception::Perception(const EnemyGroups& groups, const Occlusion& occlusion, Attention attention)
+    : groups_(groups), occlusion_(occlusion), attention_(attention) {
   around_.teammates.reserve(Percept::kMaxSightings);
   if (attention == Attention::NoEnemies) return;
   around_.enemies.reserve(Percept::kMaxSightings);
@@ -19,7 +19,8 @@ const Surroundings& Perception::look(const Percept& percept) {
   sort(percept);
   around_.target_m = target_.from(percept.odometry);
   if (attention_ == Attention::Everything) {
-    groups_.find(around_.enemies, around_.teammates, around_.groups);
+    groups_.find(around_.enemies, around_.groups);
+    around_.open_group = nearest_open_group();
   }
   return around_;
 }
@@ -43,6 +44,16 @@ void Perception::sort(const Percept& percept) {
     }
   }
   if (target) target_.see(percept.odometry, target->offset_m);
+}
+
+// Looks for occlusion only where the answer hangs on it, since that is the costly part.
+const EnemyGroup* Perception::nearest_open_group() const {
+  const EnemyGroup* best = nullptr;
+  for (const EnemyGroup& group : around_.groups) {
+    if (best != nullptr && !nearer(group.nearest, best->nearest)) continue;
+    if (!occlusion_.occluded(group.centroid_m, around_.teammates)) best = &group;
+  }
+  return best;
 }
 
 }  // namespace tacit

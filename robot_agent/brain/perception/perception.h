@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "robot_agent/brain/perception/enemy_groups.h"
+#include "robot_agent/brain/perception/occlusion.h"
 #include "robot_agent/brain/perception/surroundings.h"
 #include "robot_agent/brain/perception/target_memory.h"
 
@@ -17,15 +18,17 @@ enum class Attention : std::uint8_t {
 /// Turns percepts into surroundings. Allocates nothing once it has seen the largest percept.
 class Perception {
  public:
-  Perception(const EnemyGroups::Config& config, Attention attention);
+  Perception(const EnemyGroups& groups, const Occlusion& occlusion, Attention attention);
 
   /// Call once per tick, ticks ascending. The result borrows from `percept` and from this.
   [[nodiscard]] const Surroundings& look(const Percept& percept);
 
  private:
   void sort(const Percept& percept);
+  [[nodiscard]] const EnemyGroup* nearest_open_group() const;
 
   EnemyGroups groups_;
+  Occlusion occlusion_;
   Attention attention_;
   TargetMemory target_;
   Surroundings around_;

@@ -2,21 +2,23 @@
 
 #include <algorithm>
 
-#include "robot_agent/brain/perception/enemy_groups.h"
-
 namespace tacit {
 
-Situation situation(const Surroundings& around, const SituationConfig& config) {
+Situation situation(const Surroundings& around, const Occlusion& occlusion,
+                    const SituationConfig& config) {
   if (around.groups.empty()) return Situation::AllClear;
-  if (const EnemyGroup* open = nearest_open_group(around.groups)) {
+  if (const EnemyGroup* open = around.open_group) {
     const bool guarding =
         around.target_m && between(*around.target_m, open->centroid_m, config.between_lateral_m);
     return guarding ? Situation::ClearToEnemy : Situation::FlankingEnemy;
   }
-  const bool help_wanted = std::any_of(
-      around.groups.begin(), around.groups.end(),
-      [&](const EnemyGroup& group) { return overwhelming(group, config.overwhelmed_ratio); });
-  return help_wanted ? Situation::SoldierNeedsHelp : Situation::NoSoldiersNeedHelp;
+  const auto needs_help = [&](const EnemyGroup& group) {
+    return overwhelmed(occlusion.interceptors(group.centroid_m, around.teammates), group.size,
+                       config.overwhelmed_ratio);
+  };
+  return std::any_of(around.groups.begin(), around.groups.end(), needs_help)
+             ? Situation::SoldierNeedsHelp
+             : Situation::NoSoldiersNeedHelp;
 }
 
 bool between(const BodyVec& target_m, const BodyVec& group_m, double lateral_m) {
@@ -28,8 +30,8 @@ bool between(const BodyVec& target_m, const BodyVec& group_m, double lateral_m) 
          across * across <= lateral_m * lateral_m * squared_length;
 }
 
-bool overwhelming(const EnemyGroup& group, double ratio) {
-  return static_cast<double>(group.interceptors) < ratio * static_cast<double>(group.size);
+bool overwhelmed(std::size_t interceptors, std::size_t enemies, double ratio) {
+  return static_cast<double>(interceptors) < ratio * static_cast<double>(enemies);
 }
 
 std::string_view name(Situation situation) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "idl/types/parameters.h"
+#include "robot_agent/brain/perception/occlusion.h"
 #include "robot_agent/brain/perception/surroundings.h"
 
 namespace tacit {
@@ -22,14 +23,15 @@ struct SituationConfig {
   double overwhelmed_ratio = 0.5;  ///< The paper's T.
 };
 
-[[nodiscard]] Situation situation(const Surroundings& around, const SituationConfig& config);
+[[nodiscard]] Situation situation(const Surroundings& around, const Occlusion& occlusion,
+                                  const SituationConfig& config);
 
 /// Whether this robot is between `target_m` and `group_m`: its projection lies on the segment that
 /// joins them, and it is no farther than `lateral_m` from it. False when the two coincide.
 [[nodiscard]] bool between(const BodyVec& target_m, const BodyVec& group_m, double lateral_m);
 
-/// Whether a group's interceptors are too few: S/E < T.
-[[nodiscard]] bool overwhelming(const EnemyGroup& group, double ratio);
+/// Whether `interceptors` are too few for a group of `enemies`: S/E < T.
+[[nodiscard]] bool overwhelmed(std::size_t interceptors, std::size_t enemies, double ratio);
 
 /// The paper's name: "AllClear", …
 [[nodiscard]] std::string_view name(Situation situation);

@@ -20,10 +20,7 @@ struct Seen {
 struct EnemyGroup {
   std::size_t size = 0;
   BodyVec centroid_m;
-  Seen nearest;                  ///< The member nearest to this robot.
-  std::size_t interceptors = 0;  ///< Teammates that stand between this robot and the group.
-
-  [[nodiscard]] bool occluded() const { return interceptors > 0; }
+  Seen nearest;  ///< The member nearest to this robot.
 };
 
 /// A percept made ready for thinking: sorted by kind, measured, and completed by memory.
@@ -36,6 +33,9 @@ struct Surroundings {
   std::vector<Seen> teammates;
   std::vector<Seen> enemies;
   std::vector<EnemyGroup> groups;
+  /// The nearest of `groups` that is open, that is, not occluded by a teammate; null when there
+  /// is none.
+  const EnemyGroup* open_group = nullptr;
   std::span<const SeenObstacle> obstacles;
 };
 

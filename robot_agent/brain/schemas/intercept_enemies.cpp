@@ -5,7 +5,7 @@
 namespace tacit {
 
 BodyVec InterceptEnemies::push(const Surroundings& around) {
-  const EnemyGroup* group = nearest_open_group(around.groups);
+  const EnemyGroup* group = around.open_group;
   if (group == nullptr) group = nearest_group(around.groups);
   if (group == nullptr || group->nearest.range_m == 0.0) return {};
 
