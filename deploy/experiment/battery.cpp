@@ -1,16 +1,31 @@
 #include "deploy/experiment/battery.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
 #include "console/record/run_store.h"
 #include "deploy/lockstep/setup.h"
+#include "idl/types/config_error.h"
 
 namespace tacit {
+namespace {
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path) || !in) {
+    throw ConfigError(path.string() + ": cannot be read, wanted a scenario file (TOML)");
+  }
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
 
 Battery::Battery(ExperimentConfig config, std::filesystem::path scenario_file, std::string version)
     : config_(std::move(config)),
       scenario_file_(std::move(scenario_file)),
+      scenario_text_(read_text(scenario_file_)),
       version_(std::move(version)) {
   for (const std::string& text : config_.settings) {
     fixed_.push_back(read_setting(text));
@@ -18,8 +33,19 @@ Battery::Battery(ExperimentConfig config, std::filesystem::path scenario_file, s
   for (const std::string& text : config_.factors) {
     factors_.push_back(read_factor(text));
   }
+  require_compared_factor();
   expand();
   plan();
+}
+
+void Battery::require_compared_factor() const {
+  const bool known = std::any_of(factors_.begin(), factors_.end(), [this](const Factor& factor) {
+    return factor.path == config_.compare;
+  });
+  if (!config_.compare.empty() && !known) {
+    throw ConfigError("[experiment] compare = \"" + config_.compare +
+                      "\", wanted the section.key of one of the factors");
+  }
 }
 
 void Battery::expand() {
@@ -65,7 +91,7 @@ std::vector<Setting> Battery::settings(const Cell& cell, std::int64_t seed) cons
 }
 
 std::string Battery::scenario(const Cell& cell, std::int64_t seed) const {
-  ScenarioFile file = ScenarioFile::read(scenario_file_);
+  ScenarioFile file = ScenarioFile::parse(scenario_text_, scenario_file_.string());
   for (const Setting& setting : settings(cell, seed)) {
     file.set(setting.path, setting.value);
   }

@@ -42,12 +42,14 @@ class Battery {
   [[nodiscard]] std::vector<std::string> command(const Cell& cell, std::int64_t seed) const;
 
  private:
+  void require_compared_factor() const;
   void expand();
   void plan();
   [[nodiscard]] std::vector<Setting> settings(const Cell& cell, std::int64_t seed) const;
 
   ExperimentConfig config_;
   std::filesystem::path scenario_file_;
+  std::string scenario_text_;
   std::string version_;
   std::vector<Setting> fixed_;
   std::vector<Factor> factors_;
