@@ -1,0 +1,38 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "idl/bus/participant.h"
+#include "idl/topics/topics.h"
+
+namespace tacit {
+
+/// Sends the words of one topic. For one thread.
+template <class Topic>
+class Publisher {
+ public:
+  using Word = typename Topic::Word;
+
+  /// `robot` counts for a robot's topic alone. Throws BusError.
+  explicit Publisher(Participant& participant, RobotId robot = {});
+  ~Publisher();
+  Publisher(Publisher&&) noexcept;
+  Publisher& operator=(Publisher&&) noexcept;
+
+  /// Sends within this call, by the calling thread. False if the bus did not take the word, which
+  /// only a topic without gaps does, when its readers are too slow for seconds on end.
+  bool publish(const Word& word);
+
+  /// Readers that are there now. From any thread.
+  [[nodiscard]] int readers() const;
+
+  /// Waits until every reader that is there has all that was published; false if that took longer.
+  [[nodiscard]] bool wait_received(std::chrono::milliseconds patience);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tacit

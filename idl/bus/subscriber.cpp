@@ -1,0 +1,127 @@
+#include "idl/bus/subscriber.h"
+
+#include <fastdds/dds/core/LoanableSequence.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <fastdds/dds/topic/Topic.hpp>
+#include <fastdds/dds/topic/TypeSupport.hpp>
+
+#include <atomic>
+
+#include "idl/bus/convert_events.h"
+#include "idl/bus/convert_lockstep.h"
+#include "idl/bus/convert_team.h"
+#include "idl/bus/convert_views.h"
+#include "idl/bus/entities.h"
+#include "idl/bus/qos.h"
+#include "idl/bus/wire_of.h"
+#include "idl/wire/lockstepPubSubTypes.h"
+#include "idl/wire/teamPubSubTypes.h"
+
+namespace tacit {
+
+namespace dds = eprosima::fastdds::dds;
+using eprosima::fastrtps::types::ReturnCode_t;
+
+template <class Topic>
+class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
+  using Wire = typename WireOf<Word>::Wire;
+  using Support = typename WireOf<Word>::Support;
+
+ public:
+  Impl(Participant& participant, RobotId robot, Take take)
+      : name_(topic_name<Topic>(robot)),
+        rejections_(participant.rejections()),
+        take_(std::move(take)),
+        subscriber_(*participant.entities().subscriber) {
+    dds::TypeSupport type(new Support());
+    dds::DataReaderQos qos = dds::DATAREADER_QOS_DEFAULT;
+    qos::set_reader(qos, Topic::kPromise);
+    dds::Topic* topic = participant.entities().topic(name_, type);
+    reader_ = subscriber_.create_datareader(topic, qos, this,
+                                            dds::StatusMask::data_available()
+                                                << dds::StatusMask::subscription_matched());
+    if (reader_ == nullptr) {
+      throw BusError("no reader could be made for " + name_ + " on " +
+                     participant.entities().where);
+    }
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() override {
+    reader_->set_listener(nullptr);
+    subscriber_.delete_datareader(reader_);
+  }
+
+  int writers() const { return writers_.load(std::memory_order_relaxed); }
+
+ private:
+  void on_data_available(dds::DataReader* reader) override {
+    dds::LoanableSequence<Wire> samples;
+    dds::SampleInfoSeq infos;
+    for (;;) {
+      const ReturnCode_t code = reader->take(samples, infos);
+      if (code == ReturnCode_t::RETCODE_NO_DATA) return;
+      if (code != ReturnCode_t::RETCODE_OK) {
+        rejections_.add(name_, {"it cannot be decoded"});
+        return;
+      }
+      for (dds::LoanableCollection::size_type i = 0; i < samples.length(); ++i) {
+        if (infos[i].valid_data) accept(samples[i]);
+      }
+      reader->return_loan(samples, infos);
+    }
+  }
+
+  void accept(const Wire& sample) {
+    if (const Flaw flaw = from_wire(sample, word_)) {
+      rejections_.add(name_, flaw);
+    } else {
+      take_(word_);
+    }
+  }
+
+  void on_subscription_matched(dds::DataReader*,
+                               const dds::SubscriptionMatchedStatus& status) override {
+    writers_.store(status.current_count, std::memory_order_relaxed);
+  }
+
+  std::string name_;
+  Rejections& rejections_;
+  Take take_;
+  dds::Subscriber& subscriber_;
+  dds::DataReader* reader_ = nullptr;
+  std::atomic<int> writers_{0};
+  Word word_;
+};
+
+template <class Topic>
+Subscriber<Topic>::Subscriber(Participant& participant, RobotId robot, Take take)
+    : impl_(std::make_unique<Impl>(participant, robot, std::move(take))) {}
+template <class Topic>
+Subscriber<Topic>::~Subscriber() = default;
+template <class Topic>
+Subscriber<Topic>::Subscriber(Subscriber&&) noexcept = default;
+template <class Topic>
+Subscriber<Topic>& Subscriber<Topic>::operator=(Subscriber&&) noexcept = default;
+
+template <class Topic>
+int Subscriber<Topic>::writers() const {
+  return impl_->writers();
+}
+
+template class Subscriber<topics::Percept>;
+template class Subscriber<topics::Command>;
+template class Subscriber<topics::Order>;
+template class Subscriber<topics::Telemetry>;
+template class Subscriber<topics::Hello>;
+template class Subscriber<topics::Events>;
+template class Subscriber<topics::WorldView>;
+template class Subscriber<topics::Trajectory>;
+template class Subscriber<topics::Control>;
+template class Subscriber<topics::Status>;
+
+}  // namespace tacit

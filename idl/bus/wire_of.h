@@ -1,0 +1,56 @@
+#pragma once
+
+#include "idl/topics/topics.h"
+
+namespace tacit {
+
+namespace wire {
+class Percept;
+class PerceptPubSubType;
+class Command;
+class CommandPubSubType;
+class Order;
+class OrderPubSubType;
+class Telemetry;
+class TelemetryPubSubType;
+class Hello;
+class HelloPubSubType;
+class EventBatch;
+class EventBatchPubSubType;
+class WorldView;
+class WorldViewPubSubType;
+class Control;
+class ControlPubSubType;
+class RunStatus;
+class RunStatusPubSubType;
+}  // namespace wire
+
+/// The wire type of a word, and what Fast DDS needs to handle it.
+template <class WireType, class SupportType>
+struct WirePair {
+  using Wire = WireType;
+  using Support = SupportType;
+};
+
+template <class Word>
+struct WireOf;
+template <>
+struct WireOf<Percept> : WirePair<wire::Percept, wire::PerceptPubSubType> {};
+template <>
+struct WireOf<Command> : WirePair<wire::Command, wire::CommandPubSubType> {};
+template <>
+struct WireOf<Order> : WirePair<wire::Order, wire::OrderPubSubType> {};
+template <>
+struct WireOf<Telemetry> : WirePair<wire::Telemetry, wire::TelemetryPubSubType> {};
+template <>
+struct WireOf<Hello> : WirePair<wire::Hello, wire::HelloPubSubType> {};
+template <>
+struct WireOf<EventBatch> : WirePair<wire::EventBatch, wire::EventBatchPubSubType> {};
+template <>
+struct WireOf<WorldView> : WirePair<wire::WorldView, wire::WorldViewPubSubType> {};
+template <>
+struct WireOf<Control> : WirePair<wire::Control, wire::ControlPubSubType> {};
+template <>
+struct WireOf<RunStatus> : WirePair<wire::RunStatus, wire::RunStatusPubSubType> {};
+
+}  // namespace tacit
