@@ -1,0 +1,175 @@
+#pragma once
+
+#include "idl/types/command.h"
+#include "idl/types/event_batch.h"
+#include "idl/types/percept.h"
+#include "idl/types/random.h"
+#include "idl/types/roster.h"
+#include "idl/types/telemetry.h"
+#include "idl/types/world_view.h"
+
+namespace tacit::test {
+
+/// Draws words that a sound sender could send.
+class Words {
+ public:
+  explicit Words(std::uint64_t seed) : chance_(seed, "words") {}
+
+  template <class Vec>
+  Vec vec(double limit) {
+    const double x = chance_.uniform(-limit, limit);
+    return {x, chance_.uniform(-limit, limit)};
+  }
+  RobotId robot() { return {static_cast<std::uint16_t>(1 + chance_.below(65535))}; }
+  EnemyId enemy() { return {static_cast<std::uint32_t>(1 + chance_.below(0xfffffffe))}; }
+  Tick tick() { return chance_.bits() >> 1; }
+  std::uint64_t bits() { return chance_.bits(); }
+  bool flag() { return chance_.below(2) == 1; }
+  double positive(double limit) { return chance_.uniform(0.0, limit); }
+  Heading heading() { return Heading::from_rad(chance_.uniform(-3.0, 3.0)); }
+  template <class Enum>
+  Enum code(Enum last) {
+    return static_cast<Enum>(chance_.below(static_cast<std::uint64_t>(last) + 1));
+  }
+  std::size_t count(std::size_t limit) {
+    return static_cast<std::size_t>(chance_.below(limit + 1));
+  }
+  std::string text(std::size_t limit);
+
+  Percept percept();
+  Command command();
+  Order order();
+  Hello hello();
+  Control control();
+  RunStatus status();
+  EventBatch batch();
+  WorldView view();
+  Telemetry telemetry();
+
+ private:
+  Happening happening();
+
+  Stream chance_;
+};
+
+inline std::string Words::text(std::size_t limit) {
+  std::string out(count(limit), ' ');
+  for (char& c : out) c = static_cast<char>('a' + chance_.below(26));
+  return out;
+}
+
+inline Percept Words::percept() {
+  Percept p;
+  p.robot = robot();
+  p.tick = tick();
+  p.odometry = {vec<OdometryVec>(1e3), heading()};
+  p.velocity_mps = vec<BodyVec>(10.0);
+  p.touching = flag();
+  p.sightings.resize(count(Percept::kMaxSightings));
+  for (Sighting& s : p.sightings) {
+    s = {code(Kind::Enemy), code(Colour::Yellow), vec<BodyVec>(100.0), positive(2.0)};
+  }
+  p.obstacles.resize(count(Percept::kMaxObstacles));
+  for (SeenObstacle& o : p.obstacles) o = {vec<BodyVec>(100.0), positive(5.0)};
+  return p;
+}
+
+inline Command Words::command() {
+  return {robot(), tick(), vec<BodyVec>(10.0), positive(3.0) - 1.5};
+}
+
+inline Order Words::order() { return {robot(), bits(), code(OrderKind::Finish), text(1023)}; }
+
+inline Hello Words::hello() {
+  Hello h;
+  h.robot = robot();
+  h.incarnation = 1 + (bits() >> 1);
+  h.pid = static_cast<std::int32_t>(1 + chance_.below(1'000'000));
+  h.host = text(255);
+  h.version = text(63);
+  h.learner = text(31);
+  h.driver = text(31);
+  for (int i = 0; i < 64; ++i) h.scenario_digest += "0123456789abcdef"[chance_.below(16)];
+  return h;
+}
+
+inline Control Words::control() {
+  return {code(ControlKind::Stop), static_cast<std::uint32_t>(1 + chance_.below(1000)),
+          positive(100.0)};
+}
+
+inline RunStatus Words::status() {
+  RunStatus s;
+  s.phase = code(RunPhase::Stopped);
+  s.tick = tick();
+  s.last_tick = tick();
+  s.events = bits();
+  s.wall_s = positive(1e5);
+  s.first_tick_s = positive(10.0);
+  s.resent = static_cast<std::uint32_t>(bits());
+  s.rejected = static_cast<std::uint32_t>(bits());
+  s.robots = robot().value;
+  s.present = static_cast<std::uint16_t>(count(s.robots));
+  s.repeatable = flag();
+  return s;
+}
+
+inline Happening Words::happening() {
+  switch (chance_.below(std::variant_size_v<Happening>)) {
+    case 0:
+      return EnemyCreated{enemy(), code(EnemyKind::Decoy), vec<WorldVec>(500.0)};
+    case 1:
+      return EnemyIntercepted{enemy(), code(EnemyKind::Decoy), robot(), positive(100.0)};
+    case 2:
+      return TargetHit{enemy(), positive(10.0)};
+    case 3:
+      return Collision{robot(), code(Obstruction::Enemy), enemy().value};
+    case 4:
+      return RobotLost{robot()};
+    case 5:
+      return RobotBack{robot()};
+    case 6:
+      return RobotLate{robot()};
+    case 7:
+      return Checkpoint{bits(), enemy().value, positive(100.0), positive(5.0)};
+    default:
+      return RunEnded{bits()};
+  }
+}
+
+inline EventBatch Words::batch() {
+  EventBatch b;
+  b.first = bits();
+  b.events.resize(count(EventBatch::kMaxEvents));
+  for (Event& e : b.events) e = {tick(), happening()};
+  return b;
+}
+
+inline WorldView Words::view() {
+  WorldView v;
+  v.tick = tick();
+  v.time_s = positive(1e5);
+  v.robots.resize(count(100));
+  for (ViewedRobot& r : v.robots) {
+    r = {robot(), {vec<WorldVec>(1e3), heading()}, vec<WorldVec>(5.0), flag()};
+  }
+  v.enemies.resize(count(100));
+  for (ViewedEnemy& e : v.enemies) e = {enemy(), code(EnemyKind::Decoy), vec<WorldVec>(1e3)};
+  return v;
+}
+
+inline Telemetry Words::telemetry() {
+  Telemetry t;
+  t.robot = robot();
+  t.tick = tick();
+  t.learner = text(31);
+  t.situation = text(31);
+  t.decisions = bits();
+  t.duplicates = bits();
+  t.rejected = bits();
+  t.shares.resize(count(Telemetry::kMaxShares));
+  for (SchemaShare& s : t.shares) s = {text(31), positive(4.0) - 2.0, vec<BodyVec>(2.0)};
+  return t;
+}
+
+}  // namespace tacit::test
