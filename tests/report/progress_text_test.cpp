@@ -1,0 +1,53 @@
+#include "console/report/progress_text.h"
+
+#include <gtest/gtest.h>
+
+namespace tacit {
+namespace {
+
+Progress half_way() {
+  Progress progress;
+  progress.tick = 4500;
+  progress.last_tick = 9000;
+  progress.tick_s = 0.1;
+  progress.ticks_per_s = 60.0;
+  progress.created = 40;
+  progress.intercepted = 35;
+  progress.successful = 1;
+  return progress;
+}
+
+TEST(ProgressText, TellsHowFarHowFastAndHowWell) {
+  EXPECT_EQ(progress_text(half_way()),
+            "tick 4500/9000  50 %  60 ticks/s  6.0 x real time  ETA 1:15  created 40  "
+            "intercepted 35  successful 1");
+}
+
+TEST(ProgressText, LeavesOutWhatIsNotKnownYet) {
+  EXPECT_EQ(progress_text(Progress{}), "tick 0  created 0  intercepted 0  successful 0");
+}
+
+TEST(SecondsLeft, ShrinkAsTheSpeedGrows) {
+  Progress faster = half_way();
+  faster.ticks_per_s *= 3.0;
+
+  EXPECT_EQ(seconds_left(half_way()), 75.0);
+  EXPECT_EQ(seconds_left(faster), 25.0);
+}
+
+TEST(SecondsLeft, AreUnknownOfARunThatStands) {
+  Progress standing = half_way();
+  standing.ticks_per_s = 0.0;
+
+  EXPECT_EQ(seconds_left(standing), std::nullopt);
+}
+
+TEST(ClockText, HasHoursOnlyWhenThereAreAny) {
+  EXPECT_EQ(clock_text(0.0), "0:00");
+  EXPECT_EQ(clock_text(7.2), "0:08");
+  EXPECT_EQ(clock_text(750.0), "12:30");
+  EXPECT_EQ(clock_text(11'100.0), "3:05:00");
+}
+
+}  // namespace
+}  // namespace tacit
