@@ -88,9 +88,15 @@ class Physics::Impl {
     free_.push_back(slot);
   }
 
-  void step(double duration_s) {
-    world_.stepSimulation(duration_s, 0);
-    collect_contacts();
+  void step(double duration_s, std::int64_t substeps) {
+    contacts_.clear();
+    const double part_s = duration_s / static_cast<double>(substeps);
+    for (std::int64_t i = 0; i < substeps; ++i) {
+      world_.stepSimulation(part_s, 0);
+      collect_contacts();
+    }
+    std::sort(contacts_.begin(), contacts_.end());
+    contacts_.erase(std::unique(contacts_.begin(), contacts_.end()), contacts_.end());
   }
 
   [[nodiscard]] btRigidBody& mover(BodySlot slot) const {
@@ -152,7 +158,6 @@ class Physics::Impl {
   }
 
   void collect_contacts() {
-    contacts_.clear();
     for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
       const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
       if (manifold.getNumContacts() > 0) {
@@ -160,7 +165,6 @@ class Physics::Impl {
             contact(manifold.getBody0()->getUserIndex(), manifold.getBody1()->getUserIndex()));
       }
     }
-    std::sort(contacts_.begin(), contacts_.end());
   }
 
   static Contact contact(int a, int b) {
@@ -214,7 +218,7 @@ void Physics::set_position(BodySlot slot, const WorldVec& position_m) {
   impl_->mover(slot).setInterpolationWorldTransform(impl_->mover(slot).getWorldTransform());
 }
 
-void Physics::step(double duration_s) { impl_->step(duration_s); }
+void Physics::step(double duration_s, std::int64_t substeps) { impl_->step(duration_s, substeps); }
 
 std::span<const Contact> Physics::contacts() const { return impl_->contacts(); }
 

@@ -43,10 +43,11 @@ class Physics {
   [[nodiscard]] WorldVec velocity(BodySlot slot) const;
   void set_position(BodySlot slot, const WorldVec& position_m);
 
-  /// Moves every body by its velocity for `duration_s` and resolves contacts.
-  void step(double duration_s);
+  /// Moves every body by its velocity for `duration_s`, in `substeps` equal parts, and resolves
+  /// contacts in each.
+  void step(double duration_s, std::int64_t substeps = 1);
 
-  /// Contacts of the last step, sorted, each once; valid until the next step.
+  /// Contacts in any part of the last step, sorted, each once; valid until the next step.
   [[nodiscard]] std::span<const Contact> contacts() const;
 
  private:

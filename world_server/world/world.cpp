@@ -161,10 +161,7 @@ class World::Impl {
   }
 
   void move() {
-    const double step_s = config_.physics.tick_s / static_cast<double>(config_.physics.substeps);
-    for (std::int64_t i = 0; i < config_.physics.substeps; ++i) {
-      physics_.step(step_s);
-    }
+    physics_.step(config_.physics.tick_s, config_.physics.substeps);
     for (std::size_t i = 0; i < slots_.size(); ++i) {
       places_m_[i] = physics_.position(slots_[i]);
       velocities_mps_[i] = physics_.velocity(slots_[i]);
@@ -268,11 +265,11 @@ class World::Impl {
   [[nodiscard]] std::size_t interceptor(const WorldVec& place) const {
     std::size_t nearest = kNobody;
     double nearest2 = config_.enemies.kill_radius_m * config_.enemies.kill_radius_m;
-    grid_.near(place, config_.enemies.kill_radius_m, [&](std::size_t body) {
+    grid_.near(place, config_.enemies.kill_radius_m, [&](std::size_t body, const WorldVec& at) {
       if (body >= robots_) {
         return;
       }
-      const double range2 = (places_m_[body] - place).squared_norm();
+      const double range2 = (at - place).squared_norm();
       if (range2 < nearest2 || (range2 == nearest2 && body < nearest)) {
         nearest = body;
         nearest2 = range2;

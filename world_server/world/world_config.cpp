@@ -158,6 +158,10 @@ void check(const WorldConfig& config) {
                inside(config.area, config.target.x_m + config.robots.ring_radius_m,
                       config.target.y_m + config.robots.ring_radius_m)),
          "[robots] ring_radius_m reaches outside the area; wanted the whole ring in it");
+  for (const auto& wall : config.area.walls) {
+    refuse(!inside(config.area, wall[0], wall[1]) || !inside(config.area, wall[2], wall[3]),
+           "[area] walls holds a point outside the area; wanted all inside");
+  }
   for (const auto& disc : config.obstacles.discs) {
     refuse(disc[2] <= 0, "[obstacles] discs holds a radius that is not positive; wanted r > 0");
     refuse(!inside(config.area, disc[0], disc[1]),

@@ -34,18 +34,21 @@ std::span<const Arrival> Spawner::arrivals(Tick tick, std::span<const std::int64
   for (std::size_t i = 0; i < waves_.size(); ++i) {
     const double period_s = waves_[i].period_s * config_.period_scale;
     const auto period = static_cast<Tick>(std::max(1.0, std::floor(period_s / tick_s_ + 0.5)));
-    if (tick % period == 0 && total + waves_[i].size <= config_.max_alive) {
-      arrive(i, alive[i]);
+    if (tick % period == 0) {
+      arrive(i, alive[i], config_.max_alive - total - static_cast<std::int64_t>(arrivals_.size()));
     }
   }
   return arrivals_;
 }
 
-void Spawner::arrive(std::size_t wave, std::int64_t alive) {
+void Spawner::arrive(std::size_t wave, std::int64_t alive, std::int64_t room) {
   const Wave& w = waves_[wave];
+  const std::int64_t count = w.keep > 0 ? std::max<std::int64_t>(0, w.keep - alive) : w.size;
+  if (count > room) {
+    return;
+  }
   const double from_rad =
       w.any_direction ? chance_.uniform(0.0, 2.0 * kPi) : w.from_deg * (kPi / 180.0);
-  const std::int64_t count = w.keep > 0 ? std::max<std::int64_t>(0, w.keep - alive) : w.size;
   for (std::int64_t i = 0; i < count; ++i) {
     const bool opposite = w.any_direction && i % 2 == 1;
     appear(wave, opposite ? from_rad + kPi : from_rad);

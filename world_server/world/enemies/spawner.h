@@ -37,7 +37,8 @@ class Spawner {
     WorldVec place_m;
     WorldVec along;  ///< Unit vector along the border at that place.
   };
-  void arrive(std::size_t wave, std::int64_t alive);
+  /// Makes the wave arrive, unless it is larger than `room`.
+  void arrive(std::size_t wave, std::int64_t alive, std::int64_t room);
   void appear(std::size_t wave, double from_rad);
   [[nodiscard]] Rim rim(double from_rad) const;
   [[nodiscard]] WorldVec clear_place(const Rim& rim);

@@ -36,6 +36,7 @@ void BodyGrid::rebuild(std::span<const WorldVec> positions_m) {
   first_.assign(columns_ * rows_ + 1, 0);
   cell_of_.resize(positions_m.size());
   bodies_.resize(positions_m.size());
+  places_m_.resize(positions_m.size());
   for (std::size_t i = 0; i < positions_m.size(); ++i) {
     const std::size_t cell = row(positions_m[i].y()) * columns_ + column(positions_m[i].x());
     cell_of_[i] = static_cast<std::uint32_t>(cell);
@@ -46,7 +47,9 @@ void BodyGrid::rebuild(std::span<const WorldVec> positions_m) {
   }
   // Filling from the back leaves first_ one cell too far on and each cell in order of index.
   for (std::size_t i = positions_m.size(); i-- > 0;) {
-    bodies_[--first_[cell_of_[i] + 1]] = static_cast<std::uint32_t>(i);
+    const std::uint32_t at = --first_[cell_of_[i] + 1];
+    bodies_[at] = static_cast<std::uint32_t>(i);
+    places_m_[at] = positions_m[i];
   }
   std::rotate(first_.begin(), first_.begin() + 1, first_.end());
   first_.back() = static_cast<std::uint32_t>(positions_m.size());

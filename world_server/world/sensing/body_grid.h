@@ -18,8 +18,8 @@ class BodyGrid {
 
   void rebuild(std::span<const WorldVec> positions_m);
 
-  /// Calls `visit(index)` for every body whose cell meets the square of half-edge `range_m` round
-  /// `p`: a superset of those within `range_m`, in an order fixed by the positions.
+  /// Calls `visit(index, place_m)` for every body whose cell meets the square of half-edge
+  /// `range_m` round `p`: a superset of those within `range_m`, in an order fixed by the positions.
   template <class Visit>
   void near(const WorldVec& p, double range_m, Visit visit) const {
     const std::size_t first_column = column(p.x() - range_m);
@@ -29,7 +29,7 @@ class BodyGrid {
       const std::uint32_t begin = first_[r * columns_ + first_column];
       const std::uint32_t end = first_[r * columns_ + last_column + 1];
       for (std::uint32_t i = begin; i < end; ++i) {
-        visit(bodies_[i]);
+        visit(std::size_t{bodies_[i]}, places_m_[i]);
       }
     }
   }
@@ -48,6 +48,7 @@ class BodyGrid {
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> cell_of_;
   std::vector<std::uint32_t> bodies_;
+  std::vector<WorldVec> places_m_;  ///< Beside `bodies_`, so that a visit reads memory in order.
 };
 
 }  // namespace tacit

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "world_server/world/sensing/near_map.h"
@@ -28,17 +30,21 @@ class LineOfSight {
   [[nodiscard]] bool clear(const WorldVec& offset_m) const;
 
  private:
+  /// Two discs relative to the eye, tested at once on vector registers. An unused place has a
+  /// negative size and hides nothing.
+  struct DiscPair {
+    Eigen::Array2d x{0.0, 0.0};
+    Eigen::Array2d y{0.0, 0.0};
+    Eigen::Array2d r2{-1.0, -1.0};
+  };
+  void gather_discs(const WorldVec& eye_m, std::span<const std::uint16_t> near);
   [[nodiscard]] bool hidden_by_disc(const WorldVec& offset_m) const;
   [[nodiscard]] bool hidden_by_wall(const WorldVec& offset_m) const;
 
   const Terrain* terrain_;
   NearMap near_;
   Blockers blockers_;
-  // The gathered discs, relative to the eye, one list per number so that the test of a line
-  // against all of them runs on vector registers.
-  std::vector<double> disc_x_;
-  std::vector<double> disc_y_;
-  std::vector<double> disc_r2_;
+  std::vector<DiscPair> discs_;
   std::vector<Wall> walls_;
 };
 

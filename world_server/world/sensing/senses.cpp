@@ -20,20 +20,23 @@ void keep_nearest(std::vector<Seen>& seen, std::size_t limit) {
   std::nth_element(ranges.begin(), ranges.begin() + static_cast<std::ptrdiff_t>(limit) - 1,
                    ranges.end());
   const double farthest = ranges[limit - 1];
-  std::erase_if(seen, [farthest](const Seen& s) { return s.offset_m.squared_norm() > farthest; });
-  // Several can be equally far.
-  if (seen.size() > limit) {
-    seen.resize(limit);
-  }
+  // Several can be equally far; the first of them stay.
+  auto room =
+      std::count(ranges.begin(), ranges.begin() + static_cast<std::ptrdiff_t>(limit), farthest);
+  std::erase_if(seen, [&room, farthest](const Seen& s) {
+    const double range = s.offset_m.squared_norm();
+    return range > farthest || (range == farthest && room-- <= 0);
+  });
 }
 
 }  // namespace
 
 Senses::Senses(const WorldConfig& config, const Terrain& terrain, std::uint64_t seed)
     : sight_(config.sight),
-      target_(config.target),
-      robot_radius_m_(config.robots.radius_m),
-      enemy_radius_m_(config.enemies.radius_m),
+      target_m_(config.target.x_m, config.target.y_m),
+      looks_{{Kind::Target, Colour::White, {}, config.target.radius_m},
+             {Kind::Teammate, Colour::Blue, {}, config.robots.radius_m},
+             {Kind::Enemy, Colour::Red, {}, config.enemies.radius_m}},
       robots_(static_cast<std::size_t>(config.robots.count)),
       range2_m2_(config.sight.range_m * config.sight.range_m),
       half_view_cos_(sin_cos(config.sight.field_of_view_deg * (0.5 * kPi / 180.0)).cos),
@@ -54,7 +57,10 @@ void Senses::sense(const Scene& scene, std::size_t robot, Percept& out) {
   out.sightings.clear();
   out.obstacles.clear();
   line_of_sight_.look_from(eye.place_m);
-  see(eye, {target_.x_m, target_.y_m}, {Kind::Target, Colour::White, {}, target_.radius_m}, out);
+  const WorldVec to_target = target_m_ - eye.place_m;
+  if (to_target.squared_norm() <= range2_m2_) {
+    see(eye, to_target, looks_.target, out);
+  }
   see_bodies(scene, robot, eye, out);
   range_obstacles(eye, out);
   range_border(eye, out);
@@ -66,24 +72,18 @@ void Senses::sense(const Scene& scene, std::size_t robot, Percept& out) {
 }
 
 void Senses::see_bodies(const Scene& scene, std::size_t robot, const Eye& eye, Percept& out) {
-  scene.grid->near(eye.place_m, sight_.range_m, [&](std::size_t body) {
-    if (body == robot) {
+  scene.grid->near(eye.place_m, sight_.range_m, [&](std::size_t body, const WorldVec& place_m) {
+    const WorldVec offset = place_m - eye.place_m;
+    if (offset.squared_norm() > range2_m2_ || body == robot) {
       return;
     }
-    const Sighting as = body < robots_ ? Sighting{Kind::Teammate, Colour::Blue, {}, robot_radius_m_}
-                                       : Sighting{Kind::Enemy, Colour::Red, {}, enemy_radius_m_};
-    see(eye, scene.places_m[body], as, out);
+    see(eye, offset, body < robots_ ? looks_.teammate : looks_.enemy, out);
   });
 }
 
-void Senses::see(const Eye& eye, const WorldVec& thing_m, const Sighting& as, Percept& out) {
-  const WorldVec offset = thing_m - eye.place_m;
-  const double range2 = offset.squared_norm();
-  if (range2 > range2_m2_) {
-    return;
-  }
+void Senses::see(const Eye& eye, const WorldVec& offset, const Sighting& as, Percept& out) {
   const BodyVec seen = to_body(eye.heading, offset);
-  if (!panoramic_ && seen.x() < half_view_cos_ * std::sqrt(range2)) {
+  if (!panoramic_ && seen.x() < half_view_cos_ * seen.norm()) {
     return;
   }
   if (line_of_sight_.clear(offset)) {

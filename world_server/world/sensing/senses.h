@@ -39,16 +39,22 @@ class Senses {
     WorldVec place_m;
     Heading heading;
   };
-  void see(const Eye& eye, const WorldVec& thing_m, const Sighting& as, Percept& out);
+  /// What each kind of thing looks like, place apart.
+  struct Looks {
+    Sighting target;
+    Sighting teammate;
+    Sighting enemy;
+  };
+  /// Takes in the thing at `offset`, which is in range, unless it is out of view or hidden.
+  void see(const Eye& eye, const WorldVec& offset, const Sighting& as, Percept& out);
   void see_bodies(const Scene& scene, std::size_t robot, const Eye& eye, Percept& out);
   void range_obstacles(const Eye& eye, Percept& out) const;
   void range_border(const Eye& eye, Percept& out) const;
   void blur(std::size_t robot, Percept& out);
 
   SightConfig sight_;
-  TargetConfig target_;
-  double robot_radius_m_;
-  double enemy_radius_m_;
+  WorldVec target_m_;
+  Looks looks_;
   std::size_t robots_;
   double range2_m2_;
   double half_view_cos_;

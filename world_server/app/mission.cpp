@@ -1,0 +1,23 @@
+#include "world_server/app/mission.h"
+
+#include "idl/scenario/digest.h"
+#include "idl/scenario/run_config.h"
+#include "idl/scenario/scenario_file.h"
+
+namespace tacit {
+
+Mission read_mission(const std::filesystem::path& file, std::optional<double> duration_s) {
+  ScenarioFile scenario = ScenarioFile::read(file);
+  Mission mission;
+  RunConfig run;
+  scenario.fill(run);
+  scenario.fill(mission.world);
+  check(mission.world);
+  mission.seed = static_cast<std::uint64_t>(run.seed);
+  mission.last_tick =
+      last_tick(duration_s.value_or(run.duration_s), mission.world.physics.tick_s);
+  mission.digest = scenario_digest(file);
+  return mission;
+}
+
+}  // namespace tacit
