@@ -124,15 +124,15 @@ void describe(LearningMomentum::Config& config, ParameterVisitor& visitor) {
   for (const Adapted& gain : kAdapted) {
     visitor.number(gain.key, config.min.*gain.value, {0.0, 1000.0},
                    {"",
-                    "Lowest weight of this schema [ours: Static1's for MoveToTarget, else no "
-                    "schema ever falls silent]."});
+                    "Lowest weight of this schema [ours: MoveToTarget a little below Static1's, by "
+                    "tuning; no schema ever falls silent]."});
   }
   visitor.section("brain.lm.max", "Upper bounds of the adapted gains.");
   for (const Adapted& gain : kAdapted) {
     visitor.number(gain.key, config.max.*gain.value, {0.0, 1000.0},
                    {"",
-                    "Highest weight of this schema [ours: at rest as stable as Static2, or twice "
-                    "the static weight]."});
+                    "Highest weight of this schema [ours: at rest the very gains of Static2, which "
+                    "are stable]."});
   }
 }
 

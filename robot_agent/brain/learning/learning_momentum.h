@@ -40,8 +40,8 @@ class LearningMomentum final : public Learner {
   struct Config {
     std::int64_t period_ticks = 10;  ///< >= 1
     Gains initial;                   ///< Of schemas not adapted: for good.
-    AdaptedGains min{0.4, 0.1, 0.1};
-    AdaptedGains max{1.0, 1.0, 0.6};
+    AdaptedGains min{0.37, 0.1, 0.1};
+    AdaptedGains max{1.0, 1.0, 0.3};
   };
   /// Throws ConfigError unless min <= initial <= max for each adapted gain.
   LearningMomentum(const Config& config, const SituationConfig& situation,
