@@ -1,0 +1,350 @@
+#include "world_server/world/sensing/senses.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/world/sample_worlds.h"
+
+namespace tacit {
+namespace {
+
+// A scene set by hand: robot 1 looks, the other robots and the enemies are looked at.
+struct Stage {
+  WorldConfig config = empty_world(1);
+  Terrain terrain{100.0, 100.0, false, {}, {}};
+  WorldPose eye{{20.0, 20.0}, {}};
+  std::vector<WorldVec> enemies;
+  std::vector<WorldPose> teammates;
+
+  // A stage in which nothing but the enemies is in sight.
+  Stage() {
+    config.sight.range_m = 30.0;
+    config.target.x_m = 90.0;
+    config.target.y_m = 90.0;
+  }
+
+  [[nodiscard]] Percept percept(std::uint64_t seed = 1, int looks = 1) {
+    config.robots.count = static_cast<std::int64_t>(1 + teammates.size());
+    std::vector<WorldVec> places{eye.position_m};
+    std::vector<Heading> headings{eye.heading};
+    for (const WorldPose& mate : teammates) {
+      places.push_back(mate.position_m);
+      headings.push_back(mate.heading);
+    }
+    places.insert(places.end(), enemies.begin(), enemies.end());
+    BodyGrid grid(terrain.width_m, terrain.height_m, config.sight.range_m);
+    grid.rebuild(places);
+    Senses senses(config, terrain, seed);
+    Percept out;
+    for (int i = 0; i < looks; ++i) {
+      senses.sense({places, headings, &grid}, 0, out);
+    }
+    return out;
+  }
+  [[nodiscard]] std::size_t seen() { return percept().sightings.size(); }
+};
+
+TEST(Senses, RecogniseWhatIsJustWithinRange) {
+  Stage stage;
+  stage.enemies = {{50.0, 20.0}};
+  EXPECT_EQ(stage.seen(), 1u);
+}
+
+TEST(Senses, RecogniseNothingBeyondRange) {
+  Stage stage;
+  stage.enemies = {{50.001, 20.0}};
+  EXPECT_EQ(stage.seen(), 0u);
+}
+
+TEST(Senses, CallEnemiesRedTeammatesBlueAndTheTargetWhite) {
+  Stage stage;
+  stage.config.target = {20.0, 25.0, 1.5};
+  stage.config.enemies.radius_m = 0.3;
+  stage.teammates = {{{25.0, 20.0}, {}}};
+  stage.enemies = {{20.0, 15.0}};
+  const Percept percept = stage.percept();
+  ASSERT_EQ(percept.sightings.size(), 3u);
+  for (const Sighting& s : percept.sightings) {
+    const bool target = s.offset_m == BodyVec{0.0, 5.0};
+    const bool mate = s.offset_m == BodyVec{5.0, 0.0};
+    EXPECT_EQ(s.kind, target ? Kind::Target : mate ? Kind::Teammate : Kind::Enemy);
+    EXPECT_EQ(s.colour, target ? Colour::White : mate ? Colour::Blue : Colour::Red);
+    EXPECT_EQ(s.radius_m, target ? 1.5 : mate ? stage.config.robots.radius_m : 0.3);
+  }
+}
+
+TEST(Senses, SeeTheTargetOnlyWithinRange) {
+  Stage stage;
+  EXPECT_EQ(stage.seen(), 0u);
+  stage.config.target = {45.0, 20.0, 1.0};
+  EXPECT_EQ(stage.seen(), 1u);
+}
+
+TEST(Senses, DoNotSeeTheirOwnRobot) {
+  Stage stage;
+  EXPECT_TRUE(stage.percept().sightings.empty());
+}
+
+TEST(Senses, EndAtTheEdgesOfTheFieldOfView) {
+  Stage stage;
+  stage.config.sight.field_of_view_deg = 90.0;
+  stage.eye.heading = Heading::from_rad(0.7);
+  for (const double degrees : {-44.9, 0.0, 44.9, -45.1, 45.1, 90.0, 180.0}) {
+    const Heading way = stage.eye.heading.turned(degrees * kPi / 180.0);
+    stage.enemies = {stage.eye.position_m + 10.0 * WorldVec{way.cos, way.sin}};
+    EXPECT_EQ(stage.seen(), std::abs(degrees) < 45.0 ? 1u : 0u) << degrees;
+  }
+}
+
+TEST(Senses, SeeMoreThanHalfTheHorizonWhenTheFieldIsWide) {
+  Stage stage;
+  stage.config.sight.field_of_view_deg = 270.0;
+  for (const double degrees : {-134.0, 134.0, -136.0, 136.0, 180.0}) {
+    const Heading way = Heading::from_rad(degrees * kPi / 180.0);
+    stage.enemies = {stage.eye.position_m + 10.0 * WorldVec{way.cos, way.sin}};
+    EXPECT_EQ(stage.seen(), std::abs(degrees) < 135.0 ? 1u : 0u) << degrees;
+  }
+}
+
+TEST(Senses, SeeRightBehindWhenPanoramic) {
+  Stage stage;
+  stage.enemies = {{10.0, 20.0}};
+  EXPECT_EQ(stage.seen(), 1u);
+}
+
+TEST(Senses, LoseWhatAnObstacleHidesWhenObstaclesBlock) {
+  Stage stage;
+  stage.terrain.obstacles = {{{30.0, 20.0}, 2.0}};
+  stage.enemies = {{40.0, 20.0}};
+  EXPECT_EQ(stage.seen(), 0u);
+  stage.config.sight.blocked_by_obstacles = false;
+  EXPECT_EQ(stage.seen(), 1u);
+}
+
+TEST(Senses, LoseWhatAWallHidesWhenWallsBlock) {
+  Stage stage;
+  stage.terrain.walls = {{{30.0, 10.0}, {30.0, 30.0}}};
+  stage.enemies = {{40.0, 20.0}};
+  EXPECT_EQ(stage.seen(), 0u);
+  stage.config.sight.blocked_by_walls = false;
+  EXPECT_EQ(stage.seen(), 1u);
+}
+
+TEST(Senses, LoseTheTargetBehindAWallLikeAnythingElse) {
+  Stage stage;
+  stage.config.target = {40.0, 20.0, 1.0};
+  stage.terrain.walls = {{{30.0, 10.0}, {30.0, 30.0}}};
+  EXPECT_EQ(stage.seen(), 0u);
+}
+
+TEST(Senses, TurnWithTheRobot) {
+  Stream chance(1, "turn");
+  for (int round = 0; round < 200; ++round) {
+    Stage stage;
+    stage.terrain.obstacles = {{{26.0, 18.0}, 2.0}};
+    stage.enemies = {{chance.uniform(5.0, 35.0), chance.uniform(22.0, 35.0)}};
+    stage.eye.heading = Heading::from_rad(chance.uniform(-kPi, kPi));
+    const Percept percept = stage.percept();
+    ASSERT_EQ(percept.sightings.size(), 1u);
+    ASSERT_EQ(percept.obstacles.size(), 1u);
+    const auto in_world = [&stage](const BodyVec& offset) {
+      return stage.eye.position_m + from_body<WorldFrame>(stage.eye.heading, offset);
+    };
+    ASSERT_NEAR((in_world(percept.sightings[0].offset_m) - stage.enemies[0]).norm(), 0.0, 1e-12);
+    ASSERT_NEAR((in_world(percept.obstacles[0].offset_m) - WorldVec{26.0, 18.0}).norm(), 0.0,
+                1e-12);
+  }
+}
+
+TEST(RangeFinder, MeasuresToTheSurfaceOfAnObstacle) {
+  Stage stage;
+  stage.config.sight.obstacle_range_m = 10.0;
+  stage.terrain.obstacles = {{{33.0, 20.0}, 3.0}};
+  const Percept near = stage.percept();
+  ASSERT_EQ(near.obstacles.size(), 1u);
+  EXPECT_EQ(near.obstacles[0].offset_m, (BodyVec{13.0, 0.0}));
+  EXPECT_EQ(near.obstacles[0].radius_m, 3.0);
+  stage.terrain.obstacles = {{{33.01, 20.0}, 3.0}};
+  EXPECT_TRUE(stage.percept().obstacles.empty());
+}
+
+TEST(RangeFinder, SeesObstaclesBehindObstaclesAndBehindTheRobot) {
+  Stage stage;
+  stage.config.sight.field_of_view_deg = 90.0;
+  stage.terrain.obstacles = {{{24.0, 20.0}, 1.0}, {{27.0, 20.0}, 1.0}, {{16.0, 20.0}, 1.0}};
+  EXPECT_EQ(stage.percept().obstacles.size(), 3u);
+}
+
+TEST(RangeFinder, ReturnsTheNearestPointOfAWallWithoutRadius) {
+  Stage stage;
+  stage.terrain.walls = {{{25.0, 0.0}, {25.0, 100.0}}};
+  const Percept percept = stage.percept();
+  ASSERT_EQ(percept.obstacles.size(), 1u);
+  EXPECT_EQ(percept.obstacles[0].offset_m, (BodyVec{5.0, 0.0}));
+  EXPECT_EQ(percept.obstacles[0].radius_m, 0.0);
+}
+
+TEST(RangeFinder, ReturnsTheBorderAsPointsWithoutRadius) {
+  Stage stage;
+  stage.terrain.border_walls = true;
+  stage.config.sight.obstacle_range_m = 10.0;
+  stage.eye.position_m = {97.0, 4.0};
+  const Percept percept = stage.percept();
+  ASSERT_EQ(percept.obstacles.size(), 2u);
+  for (const SeenObstacle& seen : percept.obstacles) {
+    EXPECT_TRUE(seen.offset_m == (BodyVec{3.0, 0.0}) || seen.offset_m == (BodyVec{0.0, -4.0}));
+    EXPECT_EQ(seen.radius_m, 0.0);
+  }
+}
+
+TEST(RangeFinder, FindsNoBorderWhereThereIsNone) {
+  Stage stage;
+  stage.eye.position_m = {97.0, 4.0};
+  EXPECT_TRUE(stage.percept().obstacles.empty());
+}
+
+double farthest(const Percept& percept) {
+  double most = 0.0;
+  for (const Sighting& s : percept.sightings) {
+    most = std::max(most, s.offset_m.norm());
+  }
+  return most;
+}
+
+TEST(FullSensors, KeepTheNearestSightings) {
+  Stage stage;
+  Stream chance(2, "crowd");
+  for (int i = 0; i < 300; ++i) {
+    // Ranges 0.1 m, 0.2 m, … in a shuffled order.
+    const Heading way = Heading::from_rad(chance.uniform(-kPi, kPi));
+    const double range = 0.1 * static_cast<double>(1 + (i * 77) % 300);
+    stage.enemies.push_back(stage.eye.position_m + range * WorldVec{way.cos, way.sin});
+  }
+  const Percept percept = stage.percept();
+  EXPECT_EQ(percept.sightings.size(), Percept::kMaxSightings);
+  EXPECT_NEAR(farthest(percept), 0.1 * Percept::kMaxSightings, 1e-9);
+}
+
+TEST(FullSensors, KeepANearThingAmongManyThatAreEquallyFar) {
+  Stage stage;
+  for (int i = 0; i < 200; ++i) {
+    stage.enemies.push_back({20.0, 30.0});
+  }
+  stage.enemies.push_back({21.0, 20.0});
+  const Percept percept = stage.percept();
+  EXPECT_EQ(percept.sightings.size(), Percept::kMaxSightings);
+  EXPECT_TRUE(
+      std::any_of(percept.sightings.begin(), percept.sightings.end(), [](const Sighting& s) {
+        return s.offset_m == BodyVec{1.0, 0.0};
+      }));
+}
+
+TEST(FullSensors, KeepTheNearestObstacles) {
+  Stage stage;
+  stage.config.sight.obstacle_range_m = 50.0;
+  for (int i = 0; i < 100; ++i) {
+    const double range = 0.3 * static_cast<double>(1 + (i * 77) % 100);
+    stage.terrain.obstacles.push_back({{20.0 + range, 20.0}, 0.1});
+  }
+  const Percept percept = stage.percept();
+  EXPECT_EQ(percept.obstacles.size(), Percept::kMaxObstacles);
+  for (const SeenObstacle& seen : percept.obstacles) {
+    EXPECT_LE(seen.offset_m.norm(), 0.3 * Percept::kMaxObstacles + 1e-9);
+  }
+}
+
+struct Spread {
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+Spread spread(const std::vector<double>& all) {
+  Spread s;
+  for (const double x : all) {
+    s.mean += x / static_cast<double>(all.size());
+  }
+  for (const double x : all) {
+    s.deviation += (x - s.mean) * (x - s.mean) / static_cast<double>(all.size());
+  }
+  s.deviation = std::sqrt(s.deviation);
+  return s;
+}
+
+// A hundred enemies ten metres off, seen through noise for a few seeds.
+std::vector<BodyVec> noisy_offsets(Stage& stage) {
+  stage.enemies.assign(100, {30.0, 20.0});
+  std::vector<BodyVec> out;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    for (const Sighting& s : stage.percept(seed).sightings) {
+      out.push_back(s.offset_m);
+    }
+  }
+  return out;
+}
+
+TEST(SightNoise, OfRangeHasItsDeviationAndLeavesBearingsAlone) {
+  Stage stage;
+  stage.config.sight.range_noise_m = 0.5;
+  std::vector<double> ranges;
+  for (const BodyVec& offset : noisy_offsets(stage)) {
+    ranges.push_back(offset.norm());
+    ASSERT_EQ(offset.y(), 0.0);
+  }
+  EXPECT_NEAR(spread(ranges).mean, 10.0, 0.04);
+  EXPECT_NEAR(spread(ranges).deviation, 0.5, 0.03);
+}
+
+TEST(SightNoise, OfBearingHasItsDeviationAndLeavesRangesAlone) {
+  Stage stage;
+  stage.config.sight.bearing_noise_deg = 3.0;
+  std::vector<double> bearings;
+  for (const BodyVec& offset : noisy_offsets(stage)) {
+    bearings.push_back(arc_tangent(offset.y(), offset.x()) * 180.0 / kPi);
+    ASSERT_NEAR(offset.norm(), 10.0, 1e-12);
+  }
+  EXPECT_NEAR(spread(bearings).mean, 0.0, 0.22);
+  EXPECT_NEAR(spread(bearings).deviation, 3.0, 0.15);
+}
+
+TEST(SightNoise, NeverTouchesTheRangeFinder) {
+  Stage stage;
+  stage.terrain.obstacles = {{{24.0, 21.0}, 1.0}};
+  const Percept exact = stage.percept();
+  stage.config.sight.range_noise_m = 0.5;
+  stage.config.sight.bearing_noise_deg = 3.0;
+  const Percept noisy = stage.percept();
+  ASSERT_EQ(noisy.obstacles.size(), 1u);
+  EXPECT_EQ(noisy.obstacles[0].offset_m, exact.obstacles[0].offset_m);
+  EXPECT_EQ(noisy.obstacles[0].radius_m, exact.obstacles[0].radius_m);
+}
+
+TEST(SightNoise, NeverTurnsThePictureInsideOut) {
+  Stage stage;
+  stage.config.sight.range_noise_m = 100.0;
+  for (const BodyVec& offset : noisy_offsets(stage)) {
+    ASSERT_GE(offset.x(), 0.0);
+  }
+}
+
+TEST(SightNoise, IsDrawnAnewEveryTick) {
+  Stage stage;
+  stage.enemies = {{30.0, 20.0}};
+  stage.config.sight.range_noise_m = 0.5;
+  EXPECT_FALSE(stage.percept(1, 1).sightings[0].offset_m ==
+               stage.percept(1, 2).sightings[0].offset_m);
+}
+
+TEST(SightNoise, OfOneRobotDoesNotDependOnTheOthers) {
+  Stage alone;
+  alone.config.target = {30.0, 20.0, 1.0};
+  alone.config.sight.range_noise_m = 0.5;
+  Stage together = alone;
+  together.teammates.assign(5, {{60.0, 60.0}, {}});
+  EXPECT_EQ(alone.percept().sightings[0].offset_m, together.percept().sightings[0].offset_m);
+}
+
+}  // namespace
+}  // namespace tacit
