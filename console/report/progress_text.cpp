@@ -38,20 +38,17 @@ std::string clock_text(double seconds) {
 std::string progress_text(const Progress& progress) {
   std::string text = "tick " + std::to_string(progress.tick);
   if (progress.last_tick > 0) {
-    const auto done =
-        100.0 * static_cast<double>(progress.tick) / static_cast<double>(progress.last_tick);
-    text +=
-        '/' + std::to_string(progress.last_tick) + "  " + std::to_string(std::lround(done)) + " %";
-  }
-  if (progress.ticks_per_s > 0.0) {
-    text += "  " + rounded(progress.ticks_per_s) + " ticks/s  " +
-            rounded(progress.ticks_per_s * progress.tick_s) + " x real time";
+    text += '/' + std::to_string(progress.last_tick);
   }
   if (const auto left = seconds_left(progress)) {
     text += "  ETA " + clock_text(*left);
   }
-  return text + "  created " + std::to_string(progress.created) + "  intercepted " +
-         std::to_string(progress.intercepted) + "  successful " +
+  if (progress.ticks_per_s > 0.0) {
+    text += "  " + rounded(progress.ticks_per_s) + " ticks/s (" +
+            rounded(progress.ticks_per_s * progress.tick_s) + "x)";
+  }
+  return text + "  created " + std::to_string(progress.created) + " intercepted " +
+         std::to_string(progress.intercepted) + " successful " +
          std::to_string(progress.successful);
 }
 

@@ -19,7 +19,7 @@ struct Progress {
   std::uint64_t successful = 0;
 };
 
-/// One line for people: tick, share done, speed, time left, enemies.
+/// One line for people: tick, time left, speed (and how many times real time), enemies.
 [[nodiscard]] std::string progress_text(const Progress& progress);
 
 /// Wall time to the end of the run; absent while the speed or the end is not known.
