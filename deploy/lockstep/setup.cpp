@@ -1,8 +1,5 @@
 #include "deploy/lockstep/setup.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace tacit {
 
 void describe(Setup& setup, ParameterVisitor& visitor) {
@@ -21,8 +18,7 @@ Setup read_setup(ScenarioFile& file) {
 }
 
 Tick last_tick(const Setup& setup) {
-  return static_cast<Tick>(
-      std::max(1.0, std::floor(setup.run.duration_s / setup.world.physics.tick_s + 0.5)));
+  return last_tick(setup.run.duration_s, setup.world.physics.tick_s);
 }
 
 }  // namespace tacit

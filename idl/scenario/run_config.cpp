@@ -1,5 +1,8 @@
 #include "idl/scenario/run_config.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tacit {
 
 void describe(RunConfig& config, ParameterVisitor& visitor) {
@@ -16,6 +19,10 @@ void describe(RunConfig& config, ParameterVisitor& visitor) {
                    "repeatable runs]"});
   visitor.number("duration_s", config.duration_s, {0.0, kYear},
                  {"s", "Simulated time of one run. [ours: the paper is silent]"});
+}
+
+Tick last_tick(double duration_s, double tick_s) {
+  return static_cast<Tick>(std::max(1.0, std::floor(duration_s / tick_s + 0.5)));
 }
 
 }  // namespace tacit

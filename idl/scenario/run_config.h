@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "idl/types/ids.h"
 #include "idl/types/parameters.h"
 
 namespace tacit {
@@ -17,5 +18,8 @@ struct RunConfig {
 
 /// Sections `scenario` and `run`.
 void describe(RunConfig& config, ParameterVisitor& visitor);
+
+/// The tick at which a run of `duration_s` ends when a tick takes `tick_s`.
+[[nodiscard]] Tick last_tick(double duration_s, double tick_s);
 
 }  // namespace tacit
