@@ -9,12 +9,10 @@ Gallery::Gallery(Participant& participant, double view_hz, Trajectories trajecto
   if (trajectories == Trajectories::On) trajectory_.emplace(participant);
 }
 
-void Gallery::show(const World& world, double tick_s, const std::vector<bool>& present, Time now) {
+void Gallery::show(const World& world, const std::vector<bool>& present, Time now) {
   const bool view_due = now >= next_view_ && view_.readers() > 0;
   if (!view_due && !trajectory_) return;
   world.view(scratch_);
-  scratch_.tick = world.tick();
-  scratch_.time_s = static_cast<double>(world.tick()) * tick_s;
   for (ViewedRobot& robot : scratch_.robots) {
     robot.present = present[static_cast<std::size_t>(robot.robot.value) - 1];
   }

@@ -17,7 +17,7 @@ class Gallery {
 
   Gallery(Participant& participant, double view_hz, Trajectories trajectories);
 
-  void show(const World& world, double tick_s, const std::vector<bool>& present, Time now);
+  void show(const World& world, const std::vector<bool>& present, Time now);
   /// Whether all that is recorded has a reader.
   [[nodiscard]] bool has_recorder() const { return !trajectory_ || trajectory_->readers() > 0; }
   [[nodiscard]] bool wait_received(std::chrono::milliseconds patience);

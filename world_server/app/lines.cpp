@@ -20,10 +20,10 @@ Lines::Lines(Participant& participant, std::size_t robots, Barrier& barrier)
   lines_.reserve(robots);
   for (std::size_t i = 0; i < robots; ++i) {
     const RobotId robot{static_cast<std::uint16_t>(i + 1)};
-    lines_.push_back({Publisher<topics::Percept>(participant, robot),
-                      Publisher<topics::Order>(participant, robot),
-                      Subscriber<topics::Command>(participant, robot,
-                                                  into(barrier, participant, robot))});
+    lines_.push_back(
+        {Publisher<topics::Percept>(participant, robot),
+         Publisher<topics::Order>(participant, robot),
+         Subscriber<topics::Command>(participant, robot, into(barrier, participant, robot))});
   }
 }
 
@@ -45,8 +45,8 @@ bool Lines::connected(RobotId robot) const {
 void Lines::flush(std::chrono::milliseconds patience) {
   const auto until = Bell::Clock::now() + patience;
   for (Line& line : lines_) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        until - Bell::Clock::now());
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(until - Bell::Clock::now());
     if (left.count() <= 0 || !line.orders.wait_received(left)) return;
   }
 }
@@ -59,8 +59,8 @@ void Lines::send_to_stranger(const Order& order) {
   auto known = strangers_.find(order.robot);
   if (known == strangers_.end()) {
     if (strangers_.size() == kMaxStrangers) return;
-    known = strangers_.emplace(order.robot, Publisher<topics::Order>(participant_, order.robot))
-                .first;
+    known =
+        strangers_.emplace(order.robot, Publisher<topics::Order>(participant_, order.robot)).first;
   }
   known->second.publish(order);
 }

@@ -14,8 +14,7 @@ Mission read_mission(const std::filesystem::path& file, std::optional<double> du
   scenario.fill(mission.world);
   check(mission.world);
   mission.seed = static_cast<std::uint64_t>(run.seed);
-  mission.last_tick =
-      last_tick(duration_s.value_or(run.duration_s), mission.world.physics.tick_s);
+  mission.last_tick = last_tick(duration_s.value_or(run.duration_s), mission.world.physics.tick_s);
   mission.digest = scenario_digest(file);
   return mission;
 }

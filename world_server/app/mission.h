@@ -17,8 +17,8 @@ struct Mission {
   std::string digest;  ///< Of the file; every agent must have read the same.
 };
 
-/// Reads the world's part of the scenario; the brain's is the agents' affair. `duration_s` stands in
-/// for the scenario's own. Throws ConfigError.
+/// Reads the world's part of the scenario; the brain's is the agents' affair. `duration_s` stands
+/// in for the scenario's own. Throws ConfigError.
 [[nodiscard]] Mission read_mission(const std::filesystem::path& file,
                                    std::optional<double> duration_s);
 

@@ -9,8 +9,7 @@ std::string number(RobotId robot) { return std::to_string(robot.value); }
 
 }  // namespace
 
-Roster::Roster(Admission admission)
-    : admission_(std::move(admission)), seats_(admission_.robots) {}
+Roster::Roster(Admission admission) : admission_(std::move(admission)), seats_(admission_.robots) {}
 
 Order Roster::admit(const Hello& hello) {
   Order order{hello.robot, hello.incarnation, OrderKind::Welcome, reason_to_refuse(hello)};
