@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+
+#include "idl/bus/mailbox.h"
+#include "idl/bus/publisher.h"
+#include "idl/bus/stop_signals.h"
+#include "idl/bus/subscriber.h"
+#include "robot_agent/app/answers.h"
+#include "robot_agent/app/exit_code.h"
+#include "robot_agent/app/memory_file.h"
+#include "robot_agent/app/soldier.h"
+
+namespace tacit {
+
+/// A brain at its post: answers percepts until the run is over.
+class Agent {
+ public:
+  struct Settings {
+    RobotId robot;
+    int domain = 1;
+    std::uint32_t run_nonce = 0;
+    std::filesystem::path memory;
+    std::chrono::duration<double> patience{30.0};  ///< Without a world server.
+  };
+
+  /// Throws ConfigError, BusError.
+  Agent(const Soldier& soldier, const Settings& settings);
+
+  /// Serves from hello to finish.
+  [[nodiscard]] ExitCode run();
+
+ private:
+  using Time = Bell::Clock::time_point;
+
+  void say_hello(const Soldier& soldier);
+  void answer_percepts();
+  void read_orders();
+  void obey(const Order& order);
+  void see_to_the_rest(Time now);
+  void tell_telemetry(Time now);
+  void recall();
+
+  Settings settings_;
+  std::uint64_t incarnation_;
+  Brain brain_;
+  Answers answers_;
+  MemoryFile memory_;
+  Bell bell_;
+  StopSignals signals_;
+  Mailbox<Percept> percepts_;
+  Mailbox<Order> orders_;
+  Participant participant_;
+  Publisher<topics::Command> commands_out_;
+  Publisher<topics::Telemetry> telemetry_out_;
+  Publisher<topics::Hello> hello_out_;
+  Subscriber<topics::Percept> percepts_in_;
+  Subscriber<topics::Order> orders_in_;
+  bool welcome_ = false;
+  std::optional<ExitCode> ending_;
+  Telemetry telemetry_;
+  Time next_telemetry_{};
+  Time next_round_{};
+  Time last_sign_of_world_;
+};
+
+}  // namespace tacit

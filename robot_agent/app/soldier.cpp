@@ -1,0 +1,21 @@
+#include "robot_agent/app/soldier.h"
+
+#include "idl/scenario/digest.h"
+#include "idl/scenario/run_config.h"
+#include "idl/scenario/scenario_file.h"
+
+namespace tacit {
+
+Soldier read_soldier(const std::filesystem::path& file) {
+  ScenarioFile scenario = ScenarioFile::read(file);
+  Soldier soldier;
+  RunConfig run;
+  scenario.fill(run);
+  scenario.fill(soldier.brain);
+  check(soldier.brain);
+  soldier.seed = static_cast<std::uint64_t>(run.seed);
+  soldier.digest = scenario_digest(file);
+  return soldier;
+}
+
+}  // namespace tacit
