@@ -72,7 +72,7 @@ const std::vector<Place>& places() {
        std::regex(R"(idl/bus/\w+\.(cpp|h)|tests/.*)"), "Fast DDS"},
       {std::regex(R"(<toml\+\+/.*)"), std::regex(R"(idl/scenario/document\.cpp)"), "toml++"},
       {std::regex(R"(<SQLiteCpp/.*|<sqlite3.*|<openssl/.*)"),
-       std::regex(R"(console/record/.*|tests/.*)"), "storage"},
+       std::regex(R"(console/record/.*|idl/scenario/digest\.cpp|tests/.*)"), "storage"},
   };
   return kPlaces;
 }
@@ -81,7 +81,7 @@ const std::vector<Place>& places() {
 const LinkGraph& table() {
   static const LinkGraph kTable{
       {"types", {"Eigen3::Eigen"}},
-      {"scenario", {"types", "tomlplusplus::tomlplusplus"}},
+      {"scenario", {"types", "tomlplusplus::tomlplusplus", "OpenSSL::Crypto"}},
       {"version", {}},
       {"topics", {"types"}},
       {"wire", {"fastrtps", "fastcdr"}},
@@ -94,11 +94,13 @@ const LinkGraph& table() {
       {"report", {"types", "metrics", "Boost::headers", "nlohmann_json::nlohmann_json"}},
       {"lockstep", {"types", "scenario", "brain", "world", "metrics"}},
       {"experiment", {"lockstep", "report", "record", "scenario", "Threads::Threads"}},
+      {"server", {"world", "types", "bus", "topics", "scenario", "version", "spdlog::spdlog"}},
       {"world_server",
-       {"world", "types", "bus", "topics", "scenario", "version", "CLI11::CLI11",
+       {"server", "world", "types", "bus", "topics", "version", "CLI11::CLI11",
         "spdlog::spdlog"}},
+      {"agent", {"brain", "types", "bus", "topics", "scenario", "version", "spdlog::spdlog"}},
       {"robot_agent",
-       {"brain", "types", "bus", "topics", "scenario", "version", "CLI11::CLI11",
+       {"agent", "brain", "types", "bus", "topics", "version", "CLI11::CLI11",
         "spdlog::spdlog"}},
       {"console",
        {"metrics", "record", "report", "types", "bus", "topics", "scenario", "version",
