@@ -7,9 +7,13 @@
 namespace tacit {
 namespace {
 
+/// Plain digits where people read them with ease, powers of ten beyond.
 std::string shortest(double value) {
   std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  const double size = std::fabs(value);
+  const bool plain = value == 0.0 || (size >= 1e-6 && size < 1e15);
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                 plain ? std::chars_format::fixed : std::chars_format::scientific);
   return {digits.data(), end.ptr};
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "deploy/tacit/exit_codes.h"
+
+namespace tacit {
+
+/// Each adds one command to the command line. What it does runs while the command line is parsed
+/// and leaves its ending in `ending`, which outlives `app`. A ConfigError passes through.
+void add_run(CLI::App& app, Exit& ending);
+void add_experiment(CLI::App& app, Exit& ending);
+void add_scenarios(CLI::App& app, Exit& ending);
+void add_verify(CLI::App& app, Exit& ending);
+void add_doctor(CLI::App& app, Exit& ending);
+
+}  // namespace tacit

@@ -1,0 +1,53 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+
+#include "console/record/record_error.h"
+#include "deploy/tacit/commands.h"
+#include "deploy/tacit/say.h"
+#include "idl/types/config_error.h"
+#include "idl/version/version.h"
+
+namespace tacit {
+namespace {
+
+constexpr const char* kAbout =
+    "Robot teams that learn to work together without talking.\n"
+    "Start with: tacit run guard --robots 6 --learner lm --strategy 1 --seed 7";
+
+Exit command_line(int argc, char** argv) {
+  CLI::App app(kAbout, "tacit");
+  Exit ending = Exit::Done;
+  app.set_version_flag("--version", "tacit " + std::string(version()));
+  app.require_subcommand(1);
+  add_run(app, ending);
+  add_experiment(app, ending);
+  add_scenarios(app, ending);
+  add_verify(app, ending);
+  add_doctor(app, ending);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? Exit::Done : Exit::BadInput;
+  }
+  return ending;
+}
+
+}  // namespace
+}  // namespace tacit
+
+int main(int argc, char** argv) {
+  // A file that may not grow further is an error to be told, not a reason to die.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  tacit::Exit ending = tacit::Exit::Unforeseen;
+  try {
+    ending = tacit::command_line(argc, argv);
+  } catch (const tacit::ConfigError& error) {
+    tacit::say(error.what());
+    ending = tacit::Exit::BadInput;
+  } catch (const std::exception& error) {
+    tacit::say(error.what());
+  }
+  return static_cast<int>(ending);
+}

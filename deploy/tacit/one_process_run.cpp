@@ -1,0 +1,134 @@
+#include "deploy/tacit/one_process_run.h"
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+
+#include "console/record/record_error.h"
+#include "console/record/run_recorder.h"
+#include "console/record/run_store.h"
+#include "console/report/metrics_table.h"
+#include "deploy/lockstep/team.h"
+#include "deploy/tacit/progress_line.h"
+
+namespace tacit {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+/// A run in this process, from its first tick to its last or to an early end.
+class Run {
+ public:
+  Run(const RunPlan& plan, const RunDirectory& directory, Signals& signals)
+      : plan_(plan),
+        signals_(signals),
+        team_(plan.setup.world, plan.setup.brain, seed(plan.setup)),
+        recorder_(directory, plan.wish.trajectories ? RunRecorder::Trajectories::On
+                                                    : RunRecorder::Trajectories::Off),
+        line_(plan.wish.quiet ? ProgressLine::Style::Silent : ProgressLine::Style::Live) {}
+
+  Ending make() {
+    try {
+      make_ticks();
+    } catch (const RecordError& error) {
+      early_ = Ending{Exit::Unforeseen, error.what()};
+    }
+    line_.show(progress());
+    line_.finish();
+    return finish();
+  }
+
+ private:
+  void make_ticks() {
+    while (team_.tick() < last_tick(plan_.setup) && !early_end()) {
+      recorder_.add(team_.step());
+      record_view();
+      keep_pace();
+    }
+    if (!early_) {
+      const Event ending = team_.ending();
+      recorder_.add({&ending, 1});
+    }
+  }
+
+  void record_view() {
+    if (plan_.wish.trajectories) {
+      team_.world().view(view_);
+      recorder_.add(view_);
+    }
+  }
+
+  /// Looks at signals, the time and the progress line, a few times a second.
+  bool early_end() {
+    constexpr std::chrono::milliseconds kGlance(20);
+    const Clock::time_point now = Clock::now();
+    if (now < next_glance_) {
+      return false;
+    }
+    next_glance_ = now + kGlance;
+    signals_.wait(std::chrono::milliseconds(0));
+    line_.show_sometimes([this] { return progress(); });
+    if (signals_.end_wanted()) {
+      early_ = Ending{Exit::Interrupted, "interrupted"};
+    } else if (plan_.wish.timeout_s > 0 && elapsed_s() > plan_.wish.timeout_s) {
+      early_ = Ending{Exit::TimedOut, "the time is out"};
+    }
+    return early_.has_value();
+  }
+
+  void keep_pace() {
+    if (plan_.wish.speed <= 0) {
+      return;
+    }
+    const double due_s =
+        static_cast<double>(team_.tick()) * plan_.setup.world.physics.tick_s / plan_.wish.speed;
+    while (elapsed_s() < due_s && !signals_.end_wanted()) {
+      const Seconds left(std::min(due_s - elapsed_s(), 1.0));
+      signals_.wait(std::chrono::ceil<std::chrono::milliseconds>(left));
+    }
+  }
+
+  Ending finish() {
+    const double wall_s = elapsed_s();
+    const RunOutcome outcome = recorder_.finish(wall_s, early_ ? early_->because : "");
+    RunStore(plan_.store).add(recorder_.row(outcome));
+    if (!plan_.wish.quiet) {
+      std::cerr << to_text(metrics_table(recorder_.tally())) << std::flush;
+    }
+    return early_.value_or(Ending{});
+  }
+
+  [[nodiscard]] Progress progress() const {
+    const auto count = [this](const char* key) {
+      return static_cast<std::uint64_t>(recorder_.tally().value(key).value_or(0.0));
+    };
+    return {team_.tick(),
+            last_tick(plan_.setup),
+            plan_.setup.world.physics.tick_s,
+            static_cast<double>(team_.tick()) / elapsed_s(),
+            count("created"),
+            count("intercepted"),
+            count("successful")};
+  }
+
+  [[nodiscard]] double elapsed_s() const { return Seconds(Clock::now() - begin_).count(); }
+
+  const RunPlan& plan_;
+  Signals& signals_;
+  Team team_;
+  RunRecorder recorder_;
+  ProgressLine line_;
+  WorldView view_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point next_glance_ = begin_;
+  std::optional<Ending> early_;
+};
+
+}  // namespace
+
+Ending run_in_one_process(const RunPlan& plan, const RunDirectory& directory, Signals& signals) {
+  return Run(plan, directory, signals).make();
+}
+
+}  // namespace tacit

@@ -1,0 +1,128 @@
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "deploy/tacit/commands.h"
+#include "deploy/tacit/dds_run.h"
+#include "deploy/tacit/one_process_run.h"
+#include "deploy/tacit/say.h"
+#include "deploy/tacit/summary.h"
+#include "idl/types/config_error.h"
+
+namespace tacit {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  tacit run guard --robots 6 --learner lm --strategy 1 --seed 7
+  tacit run guard --one-process --json
+  tacit run my.toml --set enemies.speed_mps=1.5 --out runs/slow --trajectories
+
+Exit codes: 0 done, 1 the machine failed, 2 bad input, 3 an agent or the world was lost,
+4 time-out, 130 interrupted.)";
+
+double read_speed(const std::string& text) {
+  if (text == "max") {
+    return 0.0;
+  }
+  std::size_t read = 0;
+  double speed = 0.0;
+  try {
+    speed = std::stod(text, &read);
+  } catch (const std::exception&) {
+    read = 0;
+  }
+  if (read != text.size() || !(speed > 0.0 && speed <= 1e6)) {
+    throw ConfigError("--speed: found \"" + text +
+                      "\", wanted max or a number above 0, at most 1000000");
+  }
+  return speed;
+}
+
+void add_scenario_options(CLI::App& run, RunWish& wish) {
+  run.add_option("scenario", wish.scenario, "Name of a scenario, or a file")->capture_default_str();
+  run.add_option("--robots", wish.robots, "Size of the team")->type_name("N");
+  run.add_option("--learner", wish.learner, "static1, static2 or lm")->type_name("NAME");
+  run.add_option("--strategy", wish.strategy, "Attack strategy 1 to 5; 0 for no enemies")
+      ->type_name("N");
+  run.add_option("--seed", wish.seed, "Seed of every stream of chance")->type_name("N");
+  run.add_option("--duration", wish.duration_s, "Simulated time of the run")->type_name("S");
+  run.add_option("--set", wish.settings, "Any parameter of the scenario; see `tacit scenarios`")
+      ->type_name("SECTION.KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_run_options(CLI::App& run, RunWish& wish, std::string& speed) {
+  run.add_flag("--one-process", wish.one_process, "The same team in one process, without DDS");
+  run.add_option("--speed", speed, "max, or times real time")
+      ->type_name("X")
+      ->capture_default_str();
+  run.add_option("--out", wish.out, "Run directory; new or empty [runs/SCENARIO-SEED-TIME]")
+      ->type_name("DIR");
+  run.add_option("--store", wish.store, "Run store that gets a row [runs.db beside DIR]")
+      ->type_name("FILE");
+  run.add_flag("--trajectories", wish.trajectories, "Record where every body was, tick by tick");
+  run.add_option("--timeout", wish.timeout_s, "End the run after so much wall time; 0: never")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e9));
+  run.add_option("--patience-ms", wish.patience_ms,
+                 "How long the world waits for an agent's command; 0: without limit [0 at full "
+                 "speed, else 1000]")
+      ->type_name("MS")
+      ->check(CLI::Range(0, 600000));
+  run.add_flag("--json", wish.json, "Print one JSON object with the result, nothing else");
+  run.add_flag("--quiet", wish.quiet, "No progress");
+}
+
+void tell(const RunPlan& plan, const RunDirectory& directory) {
+  const std::optional<RunOutcome> outcome = directory.outcome();
+  if (!outcome) {
+    say("there is no result; what was recorded lies in " + directory.path().string());
+    return;
+  }
+  std::cout << (plan.wish.json ? summary_json(directory, *outcome)
+                               : summary_text(directory, *outcome))
+            << std::endl;
+}
+
+/// The command line of this process.
+std::vector<std::string> words_typed() {
+  std::ifstream in("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(in, word, '\0');) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+Exit run(RunWish wish) {
+  const RunPlan plan = tacit::plan(std::move(wish));
+  Signals signals;
+  const RunDirectory directory = make_directory(plan);
+  const Ending ending = plan.wish.one_process ? run_in_one_process(plan, directory, signals)
+                                              : run_over_dds(plan, directory, signals);
+  if (!ending.because.empty()) {
+    say(ending.because);
+  }
+  tell(plan, directory);
+  return ending.exit;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Exit& ending) {
+  CLI::App* command = app.add_subcommand("run", "Run a scenario, over DDS or in one process");
+  const auto wish = std::make_shared<RunWish>();
+  const auto speed = std::make_shared<std::string>("max");
+  add_scenario_options(*command, *wish);
+  add_run_options(*command, *wish, *speed);
+  command->footer(kExamples);
+  command->callback([wish, speed, &ending] {
+    wish->speed = read_speed(*speed);
+    wish->command_line = words_typed();
+    ending = run(*wish);
+  });
+}
+
+}  // namespace tacit

@@ -1,0 +1,114 @@
+#include "deploy/tacit/run_plan.h"
+
+#include <utility>
+
+#include "deploy/lockstep/team.h"
+#include "deploy/tacit/scenario_library.h"
+#include "idl/types/config_error.h"
+#include "idl/version/version.h"
+
+namespace tacit {
+namespace {
+
+namespace fs = std::filesystem;
+
+void set_if_given(ScenarioFile& file, std::string_view path, const std::string& value,
+                  std::string_view option) {
+  if (!value.empty()) {
+    file.set(path, value, option);
+  }
+}
+
+void apply(const RunWish& wish, ScenarioFile& file) {
+  for (const std::string& setting : wish.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) {
+      throw ConfigError("--set: found \"" + setting + "\", wanted section.key=value");
+    }
+    file.set(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  set_if_given(file, "robots.count", wish.robots, "--robots");
+  set_if_given(file, "brain.learner", wish.learner, "--learner");
+  set_if_given(file, "enemies.strategy", wish.strategy, "--strategy");
+  set_if_given(file, "run.seed", wish.seed, "--seed");
+  set_if_given(file, "run.duration_s", wish.duration_s, "--duration");
+}
+
+/// "2030-01-31T23:59:59Z" as "20300131T235959Z", fit for a file name.
+std::string compact(const std::string& time) {
+  std::string text;
+  for (const char c : time) {
+    text += c == '-' || c == ':' ? "" : std::string(1, c);
+  }
+  return text;
+}
+
+/// A directory below runs/ that is not there yet.
+fs::path unused_directory(const RunFacts& facts) {
+  const std::string name =
+      facts.scenario + '-' + std::to_string(facts.seed) + '-' + compact(facts.started);
+  fs::path path = fs::path("runs") / name;
+  for (int again = 2; fs::exists(path); ++again) {
+    path = fs::path("runs") / (name + '-' + std::to_string(again));
+  }
+  return path;
+}
+
+RunFacts facts_of(const RunWish& wish, const Setup& setup) {
+  RunFacts facts;
+  facts.version = version();
+  facts.scenario = setup.run.name;
+  facts.seed = setup.run.seed;
+  facts.transport = wish.one_process ? "one-process" : "dds";
+  facts.robots = setup.world.robots.count;
+  facts.learner = setup.brain.learner;
+  facts.strategy = setup.world.enemies.strategy;
+  facts.command_line = wish.command_line;
+  facts.started = utc_now();
+  return facts;
+}
+
+void require_fit_for_a_file_name(const std::string& name) {
+  if (name.empty() || name.front() == '.' || name.find('/') != std::string::npos) {
+    throw ConfigError("[scenario] name = \"" + name + "\": wanted a name fit for a directory");
+  }
+}
+
+}  // namespace
+
+Setup resolve(const RunWish& wish) {
+  const fs::path path = find_scenario(wish.scenario);
+  ScenarioFile file = ScenarioFile::read(path);
+  if (file.has("experiment")) {
+    throw ConfigError(path.string() +
+                      ": is an experiment, wanted a scenario; see `tacit "
+                      "experiment --help`");
+  }
+  apply(wish, file);
+  Setup setup = read_setup(file);
+  require_fit_for_a_file_name(setup.run.name);
+  // Whether the obstacles can be placed shows only when they are.
+  const Team trial(setup.world, setup.brain, seed(setup));
+  return setup;
+}
+
+RunPlan plan(RunWish wish) {
+  RunPlan plan;
+  plan.setup = resolve(wish);
+  plan.scenario_toml = to_toml(describing(plan.setup));
+  plan.facts = facts_of(wish, plan.setup);
+  plan.out = wish.out.empty() ? unused_directory(plan.facts) : fs::path(wish.out);
+  plan.store = wish.store.empty()
+                   ? fs::absolute(plan.out).lexically_normal().parent_path() / "runs.db"
+                   : fs::path(wish.store);
+  plan.wish = std::move(wish);
+  return plan;
+}
+
+RunDirectory make_directory(const RunPlan& plan) {
+  RunDirectory directory = RunDirectory::create(plan.out, plan.facts, plan.scenario_toml);
+  fs::create_directories(directory.path() / "logs");
+  return directory;
+}
+
+}  // namespace tacit

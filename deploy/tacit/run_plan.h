@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "console/record/run_directory.h"
+#include "deploy/lockstep/setup.h"
+#include "idl/scenario/scenario_file.h"
+
+namespace tacit {
+
+/// What a person asked for. Empty texts were not given.
+struct RunWish {
+  std::string scenario = "guard";  ///< Name or file.
+  std::string robots;
+  std::string learner;
+  std::string strategy;
+  std::string seed;
+  std::string duration_s;
+  std::vector<std::string> settings;  ///< "section.key=value"
+  std::string out;
+  std::string store;
+  std::vector<std::string> command_line;
+  bool one_process = false;
+  bool trajectories = false;
+  bool quiet = false;
+  bool json = false;       ///< The result as one JSON object.
+  double speed = 0.0;      ///< Times real time; 0 for as fast as it goes.
+  double timeout_s = 0.0;  ///< Wall time; 0 for none.
+  /// For an agent's command; 0 for no limit. Absent: no limit at full speed, else a second.
+  std::optional<int> patience_ms;
+};
+
+/// A run that can be made: all that was asked for has been found possible.
+struct RunPlan {
+  RunWish wish;
+  Setup setup;
+  std::string scenario_toml;  ///< As resolved.
+  RunFacts facts;
+  std::filesystem::path out;
+  std::filesystem::path store;
+};
+
+/// The scenario with the person's wishes over its own values. Throws ConfigError when it cannot
+/// be, also when the world cannot be built from it.
+[[nodiscard]] Setup resolve(const RunWish& wish);
+
+/// Throws ConfigError. Makes nothing yet.
+[[nodiscard]] RunPlan plan(RunWish wish);
+
+/// Makes the plan's run directory with its folder for logs. Throws ConfigError when it is occupied.
+[[nodiscard]] RunDirectory make_directory(const RunPlan& plan);
+
+}  // namespace tacit
