@@ -174,6 +174,18 @@ TEST(Brain, ReportsWhoWhenHowAndInWhichSituation) {
   EXPECT_EQ(telemetry.decisions, 77U);
 }
 
+TEST(Brain, KeepsASchemaThatIsSilentButCanBeRaised) {
+  BrainConfig config = config_for("lm");
+  config.lm.initial.of<InterceptEnemies>() = 0.0;
+  config.lm.min.intercept = 0.0;
+  Brain brain(config, RobotId{1}, 3);
+  const Percept first = percept(2, {testing::enemy(20, 0)});
+  const Percept adapting = percept(3, {testing::enemy(20, 0)});
+
+  EXPECT_EQ(brain.decide(first).velocity_mps, BodyVec());
+  EXPECT_GT(brain.decide(adapting).velocity_mps.x(), 0.0);
+}
+
 TEST(Brain, OfACrowdPaysNoHeedToEnemies) {
   BrainConfig config;
   config.learner = "crowd";

@@ -39,6 +39,16 @@ LearningMomentum::Config roomy() {
   return config;
 }
 
+LearningMomentum::Config bounded() {
+  LearningMomentum::Config config;
+  config.initial.of<MoveToTarget>() = 1.0;
+  config.initial.of<InterceptEnemies>() = 0.5;
+  config.initial.of<AvoidSoldiers>() = 0.3;
+  config.min = {0.4, 0.1, 0.1};
+  config.max = {1.0, 1.0, 0.6};
+  return config;
+}
+
 /// Surroundings that are of the given situation.
 Surroundings surroundings(Situation situation, Tick tick) {
   Surroundings around;
@@ -152,14 +162,14 @@ TEST(LearningMomentum, RemembersItsGainsToTheBit) {
 }
 
 TEST(LearningMomentum, WritesItsMemoryAsOneLineOfJson) {
-  EXPECT_EQ(make(learning_momentum_config()).memory(),
+  EXPECT_EQ(make(bounded()).memory(),
             R"({"learner":"lm","move_to_target":1,"intercept_enemies":0.5,"avoid_soldiers":0.3})");
 }
 
 class MalformedMemory : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(MalformedMemory, IsRefusedAndChangesNothing) {
-  LearningMomentum lm = make(learning_momentum_config());
+  LearningMomentum lm = make(bounded());
   const Gains before = lm.gains();
 
   EXPECT_FALSE(lm.recall(GetParam()));
