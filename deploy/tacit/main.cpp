@@ -1,10 +1,12 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 
 #include "console/record/record_error.h"
 #include "deploy/tacit/commands.h"
 #include "deploy/tacit/say.h"
+#include "idl/scenario/nearest_word.h"
 #include "idl/types/config_error.h"
 #include "idl/version/version.h"
 
@@ -14,6 +16,19 @@ namespace {
 constexpr const char* kAbout =
     "Robot teams that learn to work together without talking.\n"
     "Start with: tacit run guard --robots 6 --learner lm --strategy 1 --seed 7";
+
+/// Throws ConfigError when `word` stands where a command should and is none.
+void refuse_unknown_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  const bool known = std::find(names.begin(), names.end(), word) != names.end();
+  if (!word.empty() && word.front() != '-' && !known) {
+    throw ConfigError("there is no command \"" + word + '"' + did_you_mean(word, names) +
+                      " See tacit --help");
+  }
+}
 
 Exit command_line(int argc, char** argv) {
   CLI::App app(kAbout, "tacit");
@@ -25,6 +40,7 @@ Exit command_line(int argc, char** argv) {
   add_scenarios(app, ending);
   add_verify(app, ending);
   add_doctor(app, ending);
+  refuse_unknown_command(app, argc > 1 ? argv[1] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -32,7 +32,7 @@ class Run {
     try {
       make_ticks();
     } catch (const RecordError& error) {
-      early_ = Ending{Exit::Unforeseen, error.what()};
+      fail(error);
     }
     line_.show(progress());
     line_.finish();
@@ -91,12 +91,23 @@ class Run {
 
   Ending finish() {
     const double wall_s = elapsed_s();
-    const RunOutcome outcome = recorder_.finish(wall_s, early_ ? early_->because : "");
-    RunStore(plan_.store).add(recorder_.row(outcome));
+    try {
+      const RunOutcome outcome = recorder_.finish(wall_s, early_ ? early_->because : "");
+      RunStore(plan_.store).add(recorder_.row(outcome));
+    } catch (const RecordError& error) {
+      fail(error);
+    }
     if (!plan_.wish.quiet) {
       std::cerr << to_text(metrics_table(recorder_.tally())) << std::flush;
     }
     return early_.value_or(Ending{});
+  }
+
+  /// The first reason for an early end is the one to tell.
+  void fail(const RecordError& error) {
+    if (!early_) {
+      early_ = Ending{Exit::Unforeseen, error.what()};
+    }
   }
 
   [[nodiscard]] Progress progress() const {

@@ -42,7 +42,7 @@ double read_speed(const std::string& text) {
 void add_scenario_options(CLI::App& run, RunWish& wish) {
   run.add_option("scenario", wish.scenario, "Name of a scenario, or a file")->capture_default_str();
   run.add_option("--robots", wish.robots, "Size of the team")->type_name("N");
-  run.add_option("--learner", wish.learner, "static1, static2 or lm")->type_name("NAME");
+  run.add_option("--learner", wish.learner, "static1, static2, lm or crowd")->type_name("NAME");
   run.add_option("--strategy", wish.strategy, "Attack strategy 1 to 5; 0 for no enemies")
       ->type_name("N");
   run.add_option("--seed", wish.seed, "Seed of every stream of chance")->type_name("N");

@@ -68,8 +68,8 @@ fs::path find_scenario(const std::string& name_or_file) {
     }
     names.push_back(entry.name);
   }
-  throw ConfigError("there is no scenario \"" + name_or_file + '"' +
-                    did_you_mean(name_or_file, names) +
+  const std::string hint = did_you_mean(name_or_file, names);
+  throw ConfigError("there is no scenario \"" + name_or_file + '"' + (hint.empty() ? "." : hint) +
                     " Wanted a file or one of: " + joined(names));
 }
 

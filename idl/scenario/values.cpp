@@ -11,7 +11,7 @@ namespace {
 std::string shortest(double value) {
   std::array<char, 32> digits{};
   const double size = std::fabs(value);
-  const bool plain = value == 0.0 || (size >= 1e-6 && size < 1e15);
+  const bool plain = value == 0.0 || (size >= 1e-6 && size < 1e16);
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                  plain ? std::chars_format::fixed : std::chars_format::scientific);
   return {digits.data(), end.ptr};

@@ -17,7 +17,7 @@ std::vector<std::string> scenario() {
 std::vector<std::string> words(const Scratch& scratch, const std::vector<std::string>& more) {
   std::vector<std::string> all = tacit_words(scenario());
   for (const std::string& word :
-       {std::string("--quiet"), std::string("--speed"), std::string("60"), std::string("--out"),
+       {std::string("--quiet"), std::string("--speed"), std::string("100"), std::string("--out"),
         (scratch / "run").string(), std::string("--patience-ms"), std::string("0")}) {
     all.push_back(word);
   }

@@ -78,6 +78,13 @@ TEST(CommandLine, ExplainsEveryParameter) {
   }
 }
 
+TEST(CommandLine, HintsAtTheNearestCommand) {
+  const Finished finished = tacit({"rum"});
+  EXPECT_EQ(finished.exit_code, 2);
+  EXPECT_NE(finished.err.find("no command \"rum\", did you mean \"run\"?"), std::string::npos)
+      << finished.err;
+}
+
 TEST(CommandLine, ListsTheScenarios) {
   const Finished finished = tacit({"scenarios"});
   EXPECT_NE(finished.out.find("guard "), std::string::npos);
@@ -124,9 +131,7 @@ void change(const fs::path& file, const std::string& start, const std::string& f
 TEST(Verify, NamesTheFirstLineThatHasBeenChanged) {
   const Scratch scratch;
   (void)short_run(scratch / "run");
-  const std::string log = text_of(scratch / "run/events.jsonl");
-  change(scratch / "run/events.jsonl", log.substr(log.find('\n') + 1, 20),
-         "{\"tick\":", "{\"tick\":9");
+  change(scratch / "run/events.jsonl", "\n", "\"tick\":", "\"tick\":9");
   const Finished finished = tacit({"verify", scratch / "run"});
   EXPECT_EQ(finished.exit_code, 5);
   EXPECT_NE(finished.out.find("part at line 2, tick"), std::string::npos) << finished.out;
