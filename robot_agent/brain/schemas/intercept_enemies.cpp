@@ -13,7 +13,7 @@ BodyVec InterceptEnemies::push(const Surroundings& around) {
   const OdometryPose& own = around.odometry;
   track_.note(around.tick, own.position_m + from_body<OdometryFrame>(own.heading, quarry.offset_m),
               own.position_m);
-  const BodyVec straight = (1.0 / quarry.range_m) * quarry.offset_m;
+  BodyVec straight = (1.0 / quarry.range_m) * quarry.offset_m;
   const auto motion = track_.motion();
   if (!motion) return straight;
   return lead(straight, to_body(own.heading, motion->quarry_m_per_tick),
