@@ -71,6 +71,7 @@ class Launch {
  public:
   explicit Launch(const Cast& cast) {
     children_.emplace_back(cast.world);
+    children_.emplace_back(cast.console);
     for (const Program& agent : cast.agents) {
       children_.emplace_back(agent);
     }
@@ -90,7 +91,7 @@ class Launch {
   /// Of every agent.
   [[nodiscard]] std::vector<double> memory_mb() const {
     std::vector<double> sizes;
-    for (std::size_t i = 1; i < children_.size(); ++i) {
+    for (std::size_t i = kOthers; i < children_.size(); ++i) {
       sizes.push_back(pss_mb(children_[i].pid()).value_or(0.0));
     }
     return sizes;
@@ -106,6 +107,7 @@ class Launch {
     return running;
   }
 
+  static constexpr std::size_t kOthers = 2;  ///< Children that are no agents come first.
   std::vector<Child> children_;
 };
 
@@ -141,6 +143,7 @@ RunPlan plan_for(std::int64_t robots, const fs::path& folder) {
   RunWish wish;
   wish.robots = std::to_string(robots);
   wish.duration_s = "1e6";
+  wish.quiet = true;
   wish.out = (folder / ("run-" + std::to_string(robots))).string();
   return plan(std::move(wish));
 }
