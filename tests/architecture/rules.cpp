@@ -55,7 +55,7 @@ std::string number_of_line(const std::string& text, std::size_t at) {
   return std::to_string(1 + std::count(text.begin(), here, '\n'));
 }
 
-/// Bullet, which is held in its place by another rule, and mathematics.
+/// Bullet counts as pure here; another rule holds it in its place.
 bool is_pure(const std::string& header) {
   return kPureHeaders.contains(header) || header.starts_with("<bt") ||
          header.starts_with("<boost/math/");
