@@ -15,7 +15,8 @@ template <class Topic>
 class Subscriber {
  public:
   using Word = typename Topic::Word;
-  /// Runs on a thread of the bus and must return at once; it may take the word's contents.
+  /// Runs on a thread of the bus, which reads nothing else of this topic until it returns; it may
+  /// take the word's contents.
   using Take = std::function<void(Word&)>;
 
   /// `robot` counts for a robot's topic alone. Throws BusError.

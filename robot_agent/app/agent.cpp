@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 using Clock = Bell::Clock;
 
 constexpr milliseconds kTelemetryPeriod{100};
-/// How often an agent looks up from its percepts.
+/// How often an agent sees to all that is not a percept.
 constexpr milliseconds kRound{50};
 
 std::uint64_t fresh_incarnation() {
@@ -32,29 +32,26 @@ Agent::Agent(const Soldier& soldier, const Settings& settings)
       answers_([this](const Percept& percept) { return brain_.decide(percept); }),
       memory_(settings.memory),
       signals_(bell_),
-      percepts_(bell_),
-      orders_(bell_),
+      last_sign_of_world_(Clock::now()),
       participant_({Party::Agent, settings.robot, settings.domain, settings.run_nonce,
                     static_cast<std::uint32_t>(incarnation_)}),
       commands_out_(participant_, settings.robot),
       telemetry_out_(participant_, settings.robot),
       hello_out_(participant_),
-      percepts_in_(participant_, settings.robot, percepts_),
-      orders_in_(participant_, settings.robot, orders_),
-      last_sign_of_world_(Clock::now()) {
+      percepts_in_(participant_, settings.robot, [this](Percept& percept) { answer(percept); }),
+      orders_in_(participant_, settings.robot, [this](Order& order) { obey(order); }) {
   recall();
   say_hello(soldier);
 }
 
 ExitCode Agent::run() {
-  while (!ending_) {
-    bell_.wait_until(next_round_);
-    answer_percepts();
-    const Time now = Clock::now();
-    if (now >= next_round_ || !welcome_) see_to_the_rest(now);
+  std::optional<ExitCode> ending;
+  while (!ending) {
+    bell_.wait_until(Clock::now() + kRound);
+    ending = see_to_the_rest(Clock::now());
+    if (ending || memory_.due(Clock::now())) keep_memory(Clock::now());
   }
-  if (answers_.decisions() > 0) memory_.save(brain_.memory(), Clock::now());
-  return *ending_;
+  return *ending;
 }
 
 void Agent::say_hello(const Soldier& soldier) {
@@ -63,37 +60,15 @@ void Agent::say_hello(const Soldier& soldier) {
 }
 
 /// Before the welcome another agent may have this robot, so percepts are not for us.
-void Agent::answer_percepts() {
-  for (const Percept& percept : percepts_.collect()) {
-    if (!welcome_) read_orders();
-    if (!welcome_) continue;
-    if (const Command* command = answers_.to(percept)) commands_out_.publish(*command);
-  }
-}
-
-void Agent::see_to_the_rest(Time now) {
-  next_round_ = now + kRound;
-  read_orders();
-  if (StopSignals::came() && !ending_) ending_ = ExitCode::Interrupted;
-  if (answers_.decisions() > 0) {
-    tell_telemetry(now);
-    if (memory_.due(now)) memory_.save(brain_.memory(), now);
-  }
-  if (orders_in_.writers() > 0) last_sign_of_world_ = now;
-  if (now - last_sign_of_world_ > settings_.patience && !ending_) {
-    spdlog::error("robot {}: no world server for {} s on domain {}", settings_.robot.value,
-                  settings_.patience.count(), settings_.domain);
-    ending_ = ExitCode::TimedOut;
-  }
-}
-
-void Agent::read_orders() {
-  for (const Order& order : orders_.collect()) {
-    if (order.incarnation == incarnation_ || order.incarnation == 0) obey(order);
-  }
+void Agent::answer(const Percept& percept) {
+  const std::lock_guard lock(thought_);
+  if (!welcome_ || ending_) return;
+  if (const Command* command = answers_.to(percept)) commands_out_.publish(*command);
 }
 
 void Agent::obey(const Order& order) {
+  const std::lock_guard lock(thought_);
+  if (order.incarnation != incarnation_ && order.incarnation != 0) return;
   switch (order.kind) {
     case OrderKind::Welcome:
       welcome_ = true;
@@ -102,11 +77,25 @@ void Agent::obey(const Order& order) {
       spdlog::error("robot {}: refused by the world server: {}", settings_.robot.value,
                     order.reason);
       ending_ = ExitCode::BadInput;
-      return;
+      break;
     case OrderKind::Finish:
       ending_ = ExitCode::Done;
-      return;
+      break;
   }
+  bell_.ring();
+}
+
+std::optional<ExitCode> Agent::see_to_the_rest(Time now) {
+  const std::lock_guard lock(thought_);
+  if (StopSignals::came() && !ending_) ending_ = ExitCode::Interrupted;
+  if (answers_.decisions() > 0) tell_telemetry(now);
+  if (orders_in_.writers() > 0) last_sign_of_world_ = now;
+  if (now - last_sign_of_world_ > settings_.patience && !ending_) {
+    spdlog::error("robot {}: no world server for {} s on domain {}", settings_.robot.value,
+                  settings_.patience.count(), settings_.domain);
+    ending_ = ExitCode::TimedOut;
+  }
+  return ending_;
 }
 
 void Agent::tell_telemetry(Time now) {
@@ -117,6 +106,17 @@ void Agent::tell_telemetry(Time now) {
   telemetry_.duplicates = answers_.duplicates();
   telemetry_.rejected = participant_.rejections().count();
   telemetry_out_.publish(telemetry_);
+}
+
+/// The disk may be slow, so it is written to without the lock.
+void Agent::keep_memory(Time now) {
+  std::string memory;
+  {
+    const std::lock_guard lock(thought_);
+    if (answers_.decisions() == 0) return;
+    memory = brain_.memory();
+  }
+  memory_.save(memory, now);
 }
 
 void Agent::recall() {

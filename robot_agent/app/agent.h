@@ -1,8 +1,9 @@
 #pragma once
 
+#include <mutex>
 #include <optional>
 
-#include "idl/bus/mailbox.h"
+#include "idl/bus/bell.h"
 #include "idl/bus/publisher.h"
 #include "idl/bus/stop_signals.h"
 #include "idl/bus/subscriber.h"
@@ -14,6 +15,10 @@
 namespace tacit {
 
 /// A brain at its post: answers percepts until the run is over.
+///
+/// A percept is answered by the thread of the bus that brings it: in lock-step there is nothing
+/// else for that thread to do, and handing it over to another would cost a third of the tick. A
+/// lock keeps thought to one thread at a time.
 class Agent {
  public:
   struct Settings {
@@ -34,11 +39,12 @@ class Agent {
   using Time = Bell::Clock::time_point;
 
   void say_hello(const Soldier& soldier);
-  void answer_percepts();
-  void read_orders();
+  void answer(const Percept& percept);
   void obey(const Order& order);
-  void see_to_the_rest(Time now);
+  /// Says how the agent ends, if it does.
+  std::optional<ExitCode> see_to_the_rest(Time now);
   void tell_telemetry(Time now);
+  void keep_memory(Time now);
   void recall();
 
   Settings settings_;
@@ -48,20 +54,18 @@ class Agent {
   MemoryFile memory_;
   Bell bell_;
   StopSignals signals_;
-  Mailbox<Percept> percepts_;
-  Mailbox<Order> orders_;
+  std::mutex thought_;  ///< Guards what follows that is not the bus's own.
+  bool welcome_ = false;
+  std::optional<ExitCode> ending_;
+  Telemetry telemetry_;
+  Time next_telemetry_{};
+  Time last_sign_of_world_;
   Participant participant_;
   Publisher<topics::Command> commands_out_;
   Publisher<topics::Telemetry> telemetry_out_;
   Publisher<topics::Hello> hello_out_;
   Subscriber<topics::Percept> percepts_in_;
   Subscriber<topics::Order> orders_in_;
-  bool welcome_ = false;
-  std::optional<ExitCode> ending_;
-  Telemetry telemetry_;
-  Time next_telemetry_{};
-  Time next_round_{};
-  Time last_sign_of_world_;
 };
 
 }  // namespace tacit
