@@ -49,7 +49,7 @@ class Publisher<Topic>::Impl final : public dds::DataWriterListener {
   }
 
   bool publish(const Word& word) {
-    if constexpr (Topic::kPromise == Promise::EveryTick) {
+    if constexpr (kInPlace) {
       if (publish_in_place(word)) return true;
     }
     to_wire(word, scratch_);
@@ -67,6 +67,10 @@ class Publisher<Topic>::Impl final : public dds::DataWriterListener {
   int readers() const { return readers_.load(std::memory_order_relaxed); }
 
  private:
+  /// Lending memory costs more than copying a small sample.
+  static constexpr bool kInPlace =
+      Topic::kPromise == Promise::EveryTick && sizeof(Wire) > kSmallSample;
+
   /// Writes straight into memory that the readers share; false when none is free.
   bool publish_in_place(const Word& word) {
     void* sample = nullptr;

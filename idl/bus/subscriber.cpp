@@ -26,6 +26,8 @@ namespace tacit {
 namespace dds = eprosima::fastdds::dds;
 using eprosima::fastrtps::types::ReturnCode_t;
 
+constexpr Flaw kUndecodable{"it cannot be decoded"};
+
 template <class Topic>
 class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
   using Wire = typename WireOf<Word>::Wire;
@@ -59,21 +61,45 @@ class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
   int writers() const { return writers_.load(std::memory_order_relaxed); }
 
  private:
+  /// Borrowing memory costs more than copying a small sample.
+  static constexpr bool kBorrow =
+      Topic::kPromise != Promise::EveryTick || sizeof(Wire) > kSmallSample;
+
   void on_data_available(dds::DataReader* reader) override {
+    if constexpr (kBorrow) {
+      while (read_in_place(*reader)) {
+      }
+    } else {
+      read_copy(*reader);
+    }
+  }
+
+  /// Every sample is announced by itself; one that was announced and is not there was dropped by
+  /// Fast DDS, which could not decode it.
+  void read_copy(dds::DataReader& reader) {
+    dds::SampleInfo info;
+    if (reader.take_next_sample(&sample_, &info) != ReturnCode_t::RETCODE_OK) {
+      rejections_.add(name_, kUndecodable);
+    } else if (info.valid_data) {
+      accept(sample_);
+    }
+  }
+
+  /// True if there may be more to read.
+  bool read_in_place(dds::DataReader& reader) {
     dds::LoanableSequence<Wire> samples;
     dds::SampleInfoSeq infos;
-    for (;;) {
-      const ReturnCode_t code = reader->take(samples, infos);
-      if (code == ReturnCode_t::RETCODE_NO_DATA) return;
-      if (code != ReturnCode_t::RETCODE_OK) {
-        rejections_.add(name_, {"it cannot be decoded"});
-        return;
-      }
-      for (dds::LoanableCollection::size_type i = 0; i < samples.length(); ++i) {
-        if (infos[i].valid_data) accept(samples[i]);
-      }
-      reader->return_loan(samples, infos);
+    const ReturnCode_t code = reader.take(samples, infos);
+    if (code == ReturnCode_t::RETCODE_NO_DATA) return false;
+    if (code != ReturnCode_t::RETCODE_OK) {
+      rejections_.add(name_, kUndecodable);
+      return false;
     }
+    for (dds::LoanableCollection::size_type i = 0; i < samples.length(); ++i) {
+      if (infos[i].valid_data) accept(samples[i]);
+    }
+    reader.return_loan(samples, infos);
+    return Topic::kPromise != Promise::EveryTick;
   }
 
   void accept(const Wire& sample) {
@@ -95,6 +121,7 @@ class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
   dds::Subscriber& subscriber_;
   dds::DataReader* reader_ = nullptr;
   std::atomic<int> writers_{0};
+  Wire sample_;
   Word word_;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "idl/topics/topics.h"
 
 namespace tacit {
@@ -24,6 +26,9 @@ class ControlPubSubType;
 class RunStatus;
 class RunStatusPubSubType;
 }  // namespace wire
+
+/// Up to this many bytes a sample is copied; above, it is handed over where it lies.
+inline constexpr std::size_t kSmallSample = 256;
 
 /// The wire type of a word, and what Fast DDS needs to handle it.
 template <class WireType, class SupportType>
