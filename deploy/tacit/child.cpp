@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -68,15 +69,17 @@ int reason_of_failure(int pipe_end) {
 
 std::string Death::words() const {
   if (signal != 0) {
-    return "was killed by signal " + std::to_string(signal) + " (" + strsignal(signal) + ')';
+    const char* meaning = sigdescr_np(signal);
+    return "was killed by signal " + std::to_string(signal) +
+           (meaning != nullptr ? " (" + std::string(meaning) + ')' : "");
   }
   return "ended with exit code " + std::to_string(exit_code);
 }
 
 Child::Child(const Program& program) {
   std::vector<char*> arguments = arguments_of(program);
-  int failure[2];
-  if (pipe2(failure, O_CLOEXEC) != 0) {
+  std::array<int, 2> failure{};
+  if (pipe2(failure.data(), O_CLOEXEC) != 0) {
     throw std::system_error(errno, std::generic_category(), "pipe");
   }
   const int log = open_log(program);

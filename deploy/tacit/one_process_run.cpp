@@ -17,6 +17,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
+constexpr std::chrono::milliseconds kGlance(20);
+
 /// A run in this process, from its first tick to its last or to an early end.
 class Run {
  public:
@@ -61,7 +63,6 @@ class Run {
 
   /// Looks at signals, the time and the progress line, a few times a second.
   bool early_end() {
-    constexpr std::chrono::milliseconds kGlance(20);
     const Clock::time_point now = Clock::now();
     if (now < next_glance_) {
       return false;

@@ -31,7 +31,7 @@ fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_pat
 
 std::vector<fs::path> scenario_folders() {
   std::vector<fs::path> folders;
-  const char* chosen = std::getenv("TACIT_SCENARIOS");
+  const char* chosen = std::getenv("TACIT_SCENARIOS");  // NOLINT(concurrency-mt-unsafe)
   std::istringstream list(chosen != nullptr ? chosen : "");
   for (std::string folder; std::getline(list, folder, ':');) {
     folders.emplace_back(folder);

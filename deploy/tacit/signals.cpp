@@ -25,7 +25,7 @@ sigset_t watched() {
 
 Signals::Signals() {
   const sigset_t set = watched();
-  sigprocmask(SIG_BLOCK, &set, nullptr);
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);
   file_ = signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
   if (file_ < 0) {
     throw std::system_error(errno, std::generic_category(), "signalfd");
@@ -39,7 +39,7 @@ Signals::~Signals() {
 
 void Signals::restore_in_child() {
   const sigset_t set = watched();
-  sigprocmask(SIG_UNBLOCK, &set, nullptr);
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
 void Signals::wait(std::chrono::milliseconds patience) {

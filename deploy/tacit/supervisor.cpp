@@ -26,7 +26,7 @@ Exit exit_for(const Death& death_of_world) {
   return code == Exit::BadInput || code == Exit::TimedOut ? code : Exit::Lost;
 }
 
-std::string with_log(std::string text, const Program& program) {
+std::string with_log(const std::string& text, const Program& program) {
   return text + (program.log.empty() ? "" : last_lines(program.log));
 }
 

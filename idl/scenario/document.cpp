@@ -185,6 +185,8 @@ class Document::Tree {
     }
   }
 
+  /// Tables lie in tables, as deep as a person has typed.
+  // NOLINTNEXTLINE(misc-no-recursion)
   void refuse_unknown_tables(const toml::table& table, const std::string& prefix) const {
     for (const auto& [key, node] : table) {
       const std::string name = prefix + std::string(key.str());

@@ -4,11 +4,15 @@
 #include <cmath>
 
 namespace tacit {
+namespace {
+
+/// Seeds stay below 2^53, so that every JSON reader sees the same number.
+constexpr double kLargestSeed = 9007199254740992.0;
+constexpr double kYear = 31557600.0;
+
+}  // namespace
 
 void describe(RunConfig& config, ParameterVisitor& visitor) {
-  // Seeds stay below 2^53, so that every JSON reader sees the same number.
-  constexpr double kLargestSeed = 9007199254740992.0;
-  constexpr double kYear = 31557600.0;
   visitor.section("scenario", "What this is.");
   visitor.text("name", config.name, {"", "Short name, used in run directories and tables."});
   visitor.text("description", config.description, {"", "One sentence for people."});

@@ -17,8 +17,9 @@ std::string shortest(double value) {
   return {digits.data(), end.ptr};
 }
 
+constexpr std::string_view kHex = "0123456789ABCDEF";
+
 std::string escaped(char c) {
-  constexpr std::string_view kHex = "0123456789ABCDEF";
   const auto byte = static_cast<unsigned char>(c);
   if (c == '"' || c == '\\') {
     return {'\\', c};
