@@ -81,7 +81,7 @@ class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
     if (reader.take_next_sample(&sample_, &info) != ReturnCode_t::RETCODE_OK) {
       rejections_.add(name_, kUndecodable);
     } else if (info.valid_data) {
-      accept(sample_);
+      accept(sample_, [] { return true; });
     }
   }
 
@@ -96,14 +96,23 @@ class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
       return false;
     }
     for (dds::LoanableCollection::size_type i = 0; i < samples.length(); ++i) {
-      if (infos[i].valid_data) accept(samples[i]);
+      if (infos[i].valid_data)
+        accept(samples[i], [&] { return is_whole(reader, samples[i], infos[i]); });
     }
     reader.return_loan(samples, infos);
     return Topic::kPromise != Promise::EveryTick;
   }
 
-  void accept(const Wire& sample) {
-    if (const Flaw flaw = from_wire(sample, word_)) {
+  /// A writer that shares its memory may have begun to write over what is being read.
+  static bool is_whole(dds::DataReader& reader, const Wire& sample, const dds::SampleInfo& info) {
+    return Topic::kPromise != Promise::EveryTick || reader.is_sample_valid(&sample, &info);
+  }
+
+  template <class IsWhole>
+  void accept(const Wire& sample, IsWhole&& was_whole) {
+    const Flaw flaw = from_wire(sample, word_);
+    if (!was_whole()) return;
+    if (flaw) {
       rejections_.add(name_, flaw);
     } else {
       take_(word_);
