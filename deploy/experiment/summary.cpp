@@ -238,16 +238,16 @@ class Comparison {
 
 }  // namespace
 
-std::vector<Table> summarize(const Battery& battery, const RunStore& store) {
+std::vector<ReportTable> summarize(const Battery& battery, const RunStore& store) {
   const Results results(battery, store);
-  std::vector<Table> tables{cells_table(battery, results)};
+  std::vector<ReportTable> tables{{"cells", cells_table(battery, results)}};
   Table improvement = improvement_table(battery, results);
   if (!improvement.rows.empty()) {
-    tables.push_back(std::move(improvement));
+    tables.push_back({"improvement", std::move(improvement)});
   }
   for (const Factor& factor : battery.factors()) {
     if (factor.path == battery.config().compare) {
-      tables.push_back(Comparison(battery, results, factor).table());
+      tables.push_back({"comparison", Comparison(battery, results, factor).table()});
     }
   }
   return tables;

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdio>
 #include <exception>
@@ -134,14 +133,13 @@ bool complete(const Battery& battery, RunStore& store, const ExperimentWish& wis
   return all_there;
 }
 
-void write_report(const std::vector<Table>& tables, const fs::path& out) {
-  constexpr std::array<const char*, 3> kFiles{"cells.csv", "improvement.csv", "comparison.csv"};
+void write_report(const std::vector<ReportTable>& tables, const fs::path& out) {
   std::string text;
-  nlohmann::json all = nlohmann::json::array();
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    text += to_text(tables[i]) + '\n';
-    all.push_back(nlohmann::json::parse(to_json(tables[i])));
-    write_whole_file(out / kFiles.at(i), to_csv(tables[i]));
+  nlohmann::json all = nlohmann::json::object();
+  for (const ReportTable& each : tables) {
+    text += to_text(each.table) + '\n';
+    all[each.name] = nlohmann::json::parse(to_json(each.table));
+    write_whole_file(out / (each.name + ".csv"), to_csv(each.table));
   }
   write_whole_file(out / "report.txt", text);
   write_whole_file(out / "report.json", all.dump(2) + '\n');

@@ -102,14 +102,14 @@ class Summary : public testing::Test {
 };
 
 TEST_F(Summary, AveragesEachCell) {
-  const Table cells = summarize(battery, store).front();
+  const Table cells = summarize(battery, store).front().table;
   ASSERT_EQ(cells.rows.size(), battery.cells().size());
   EXPECT_DOUBLE_EQ(std::get<Estimate>(cells.rows.front()[4]).value, 30.0);
   EXPECT_EQ(std::get<std::int64_t>(cells.rows.back()[3]), 3);
 }
 
 TEST_F(Summary, RelatesATeamToAsManySingleRobots) {
-  const Table improvement = summarize(battery, store).at(1);
+  const Table improvement = summarize(battery, store).at(1).table;
   // Two robots of the first learner reach 60 - 1/6, one reaches 30.
   ASSERT_EQ(improvement.rows.size(), 4U);
   EXPECT_NEAR(std::get<Estimate>(improvement.rows.front()[4]).value, (60.0 - 0.5 / 3) / (2 * 30.0),
@@ -117,7 +117,7 @@ TEST_F(Summary, RelatesATeamToAsManySingleRobots) {
 }
 
 TEST_F(Summary, ComparesOnTheSameSeedsTheLaterValueLessTheEarlier) {
-  const Table comparison = summarize(battery, store).at(2);
+  const Table comparison = summarize(battery, store).at(2).table;
   // Two strategies for each of two team sizes; the percentages do not differ and are left out.
   ASSERT_EQ(comparison.rows.size(), 4U);
   for (const auto& row : comparison.rows) {
@@ -126,6 +126,22 @@ TEST_F(Summary, ComparesOnTheSameSeedsTheLaterValueLessTheEarlier) {
     EXPECT_GT(difference.value, 2.5);
     EXPECT_LT(difference.value, 3.5);
   }
+}
+
+TEST_F(Summary, NamesItsTables) {
+  std::vector<std::string> names;
+  for (const ReportTable& each : summarize(battery, store)) {
+    names.push_back(each.name);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"cells", "improvement", "comparison"}));
+}
+
+TEST_F(Summary, HasNoImprovementWithoutTeamsOfOne) {
+  ExperimentConfig config = small_experiment();
+  config.teams = {{2, 3}};
+  const auto tables = summarize(small_battery(config), store);
+  ASSERT_EQ(tables.size(), 2U);
+  EXPECT_EQ(tables[1].name, "comparison");
 }
 
 }  // namespace
