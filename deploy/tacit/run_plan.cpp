@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "console/record/run_store.h"
 #include "deploy/lockstep/team.h"
 #include "deploy/tacit/scenario_library.h"
 #include "idl/types/config_error.h"
@@ -68,6 +69,19 @@ RunFacts facts_of(const RunWish& wish, const Setup& setup) {
   return facts;
 }
 
+/// The one asked for, else runs.db beside the run directory.
+fs::path store_of(const RunWish& wish, const fs::path& out) {
+  if (wish.store.empty()) {
+    // With a slash at its end, whether it had one or not, the directory's name is a parent.
+    return (fs::absolute(out) / "").lexically_normal().parent_path().parent_path() / "runs.db";
+  }
+  const fs::path folder = fs::absolute(wish.store).parent_path();
+  if (!fs::is_directory(folder)) {
+    throw ConfigError("--store: there is no directory " + folder.string());
+  }
+  return wish.store;
+}
+
 void require_fit_for_a_file_name(const std::string& name) {
   if (name.empty() || name.front() == '.' || name.find('/') != std::string::npos) {
     throw ConfigError("[scenario] name = \"" + name + "\": wanted a name fit for a directory");
@@ -98,9 +112,7 @@ RunPlan plan(RunWish wish) {
   plan.scenario_toml = to_toml(describing(plan.setup));
   plan.facts = facts_of(wish, plan.setup);
   plan.out = wish.out.empty() ? unused_directory(plan.facts) : fs::path(wish.out);
-  plan.store = wish.store.empty()
-                   ? fs::absolute(plan.out).lexically_normal().parent_path() / "runs.db"
-                   : fs::path(wish.store);
+  plan.store = store_of(wish, plan.out);
   plan.wish = std::move(wish);
   return plan;
 }
@@ -108,6 +120,8 @@ RunPlan plan(RunWish wish) {
 RunDirectory make_directory(const RunPlan& plan) {
   RunDirectory directory = RunDirectory::create(plan.out, plan.facts, plan.scenario_toml);
   fs::create_directories(directory.path() / "logs");
+  // What cannot take the run's row in the end is to be told now.
+  const RunStore store(plan.store);
   return directory;
 }
 

@@ -50,7 +50,9 @@ struct RunPlan {
 /// Throws ConfigError. Makes nothing yet.
 [[nodiscard]] RunPlan plan(RunWish wish);
 
-/// Makes the plan's run directory with its folder for logs. Throws ConfigError when it is occupied.
+/// Makes the plan's run directory with its folder for logs, and the store if it is not there.
+/// Throws ConfigError when the directory is occupied or the store is none, RecordError when one
+/// cannot be written.
 [[nodiscard]] RunDirectory make_directory(const RunPlan& plan);
 
 }  // namespace tacit

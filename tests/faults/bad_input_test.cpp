@@ -47,6 +47,9 @@ std::vector<Mistake> mistakes() {
        {"guard", "--set", "obstacles.coverage_percent=60", "--set", "obstacles.min_radius_m=40",
         "--set", "obstacles.max_radius_m=45", "--set", "obstacles.keep_free_m=60"},
        "obstacles"},
+      {"StoreInAMissingFolder",
+       {"guard", "--store", "/nowhere/runs.db"},
+       "--store: there is no directory /nowhere"},
       {"UnknownOption", {"guard", "--robot", "3"}, "--robot"},
   };
 }
@@ -77,6 +80,15 @@ TEST(BadScenarioFile, IsNamedWithLineAndColumn) {
   EXPECT_EQ(finished.exit_code, 2);
   EXPECT_NE(finished.err.find("team.toml:3:1: [robots] has no key \"radius\""), std::string::npos)
       << finished.err;
+}
+
+TEST(FileThatIsNoRunStore, IsRefusedBeforeTheRun) {
+  const Scratch scratch;
+  std::ofstream(scratch / "notes.txt") << "This is not a database, but long enough to be read.";
+  const Finished finished = tacit({"run", "guard", "--one-process", "--out", scratch / "run",
+                                   "--store", scratch / "notes.txt"});
+  EXPECT_EQ(finished.exit_code, 2) << finished.err;
+  EXPECT_NE(finished.err.find("notes.txt"), std::string::npos) << finished.err;
 }
 
 TEST(OccupiedRunDirectory, IsRefusedAndLeftAlone) {
