@@ -61,12 +61,6 @@ void AppendFile::append(std::string_view lines) {
   size_ += lines.size();
 }
 
-void AppendFile::sync() {
-  if (::fdatasync(file_.get()) != 0) {
-    throw RecordError(path_, system_reason());
-  }
-}
-
 void AppendFile::cut_to(std::uint64_t size) {
   if (::ftruncate(file_.get(), static_cast<off_t>(size)) != 0) {
     throw RecordError(path_, "cannot be cut to its last whole line: " + system_reason());

@@ -10,8 +10,7 @@ namespace tacit {
 
 /// A file of lines that only grows, written by one process at a time.
 ///
-/// What `append` has returned for outlives the process, however it ends; what `sync` has returned
-/// for outlives the machine's power.
+/// What `append` has returned for outlives the process, however it ends.
 class AppendFile {
  public:
   /// Opens or creates `file` and cuts off a last line without its newline, left by a process that
@@ -20,7 +19,6 @@ class AppendFile {
 
   /// Appends whole lines: all of them or, when it throws RecordError, none.
   void append(std::string_view lines);
-  void sync();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// In bytes.

@@ -34,7 +34,6 @@ class EventLog {
   /// Takes the run's next events; one write for all of them. Throws RecordError when they cannot
   /// be written, and when the log holds others in their place; the file then stays as it was.
   void append(std::span<const Event> events);
-  void sync() { file_.sync(); }
 
   /// How many events have been taken since opening.
   [[nodiscard]] std::uint64_t events() const { return events_; }

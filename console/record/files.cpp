@@ -16,18 +16,9 @@ namespace {
 
 constexpr mode_t kReadableByAll = 0644;
 
-void sync_folder_of(const std::filesystem::path& file) {
-  const auto parent = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  const Descriptor folder(parent, O_RDONLY | O_DIRECTORY);
-  ::fsync(folder.get());
-}
-
-void write_synced(const std::filesystem::path& file, std::string_view text) {
+void write_new_file(const std::filesystem::path& file, std::string_view text) {
   const Descriptor out(file, O_WRONLY | O_CREAT | O_TRUNC);
   write_all(out.get(), text, file);
-  if (::fsync(out.get()) != 0) {
-    throw RecordError(file, system_reason());
-  }
 }
 
 }  // namespace
@@ -69,7 +60,7 @@ void write_whole_file(const std::filesystem::path& file, std::string_view text) 
   auto draft = file;
   draft += ".part" + std::to_string(::getpid());
   try {
-    write_synced(draft, text);
+    write_new_file(draft, text);
   } catch (const RecordError&) {
     ::unlink(draft.c_str());
     throw;
@@ -79,7 +70,13 @@ void write_whole_file(const std::filesystem::path& file, std::string_view text) 
     ::unlink(draft.c_str());
     throw RecordError(file, reason);
   }
-  sync_folder_of(file);
+}
+
+void sync_file(const std::filesystem::path& file) {
+  const Descriptor open_file(file, O_RDONLY);
+  if (::fsync(open_file.get()) != 0) {
+    throw RecordError(file, system_reason());
+  }
 }
 
 std::string read_whole_file(const std::filesystem::path& file) {

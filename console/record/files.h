@@ -27,9 +27,13 @@ class Descriptor {
 /// Writes all of `text`; throws RecordError.
 void write_all(int fd, std::string_view text, const std::filesystem::path& file);
 
-/// Replaces `file` by one that holds `text`. Whoever opens it, also after a crash, finds the old
-/// text or the new, never a part. Throws RecordError; the old text then stays.
+/// Replaces `file` by one that holds `text`. Whoever opens it finds the old text or the new, never
+/// a part, also when this process is killed. Throws RecordError; the old text then stays.
 void write_whole_file(const std::filesystem::path& file, std::string_view text);
+
+/// Returns once `file`, which may be a folder, outlasts the machine's power. On a busy disk that
+/// takes seconds. Throws RecordError.
+void sync_file(const std::filesystem::path& file);
 
 /// Throws RecordError.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& file);

@@ -83,6 +83,15 @@ void RunDirectory::write_outcome(const RunOutcome& outcome) const {
   write_whole_file(metrics_file(), to_json(outcome));
 }
 
+void RunDirectory::sync() const {
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
+    if (entry.is_regular_file()) {
+      sync_file(entry.path());
+    }
+  }
+  sync_file(path_);
+}
+
 std::optional<RunOutcome> RunDirectory::outcome() const {
   if (!fs::exists(metrics_file())) {
     return std::nullopt;

@@ -32,6 +32,8 @@ class RunDirectory {
 
   /// Throws RecordError; what was there before then stays.
   void write_outcome(const RunOutcome& outcome) const;
+  /// Returns once everything in the directory outlasts the machine's power. Throws RecordError.
+  void sync() const;
   /// Absent while the run has none. Throws ConfigError when metrics.json makes no sense.
   [[nodiscard]] std::optional<RunOutcome> outcome() const;
 

@@ -35,12 +35,11 @@ void RunRecorder::add(const WorldView& view) {
 }
 
 RunOutcome RunRecorder::finish(double wall_s, const std::string& trouble) {
-  log_.sync();
-  if (trajectories_) {
-    trajectories_->sync();
-  }
   RunOutcome result = outcome(wall_s, trouble);
   directory_.write_outcome(result);
+  if (result.complete) {
+    directory_.sync();
+  }
   return result;
 }
 

@@ -42,8 +42,9 @@ class RunRecorder {
   /// Whether the last event of the run has been taken.
   [[nodiscard]] bool ended() const { return tally_.of<Length>().complete; }
 
-  /// Makes sure of all that is written, writes metrics.json and returns what it says. The run
-  /// counts as complete when it has ended and `trouble` is empty. Throws RecordError.
+  /// Writes metrics.json and returns what it says. The run counts as complete when it has ended and
+  /// `trouble` is empty; then all its files outlast the machine's power. One that is not, perhaps
+  /// because somebody is in a hurry, does not wait for the disk. Throws RecordError.
   RunOutcome finish(double wall_s, const std::string& trouble = "");
   /// The run's row for a RunStore.
   [[nodiscard]] RunRow row(const RunOutcome& outcome) const;

@@ -17,7 +17,6 @@ class TrajectoryFile {
 
   /// Throws RecordError when it cannot be written; then nothing of `view` is.
   void append(const WorldView& view);
-  void sync() { file_.sync(); }
 
  private:
   AppendFile file_;

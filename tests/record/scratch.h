@@ -28,7 +28,9 @@ inline std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
+/// A new file each time: a disk takes its time over one whose text is replaced.
 inline void put(const std::filesystem::path& file, const std::string& text) {
+  std::filesystem::remove(file);
   std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
 }
 
