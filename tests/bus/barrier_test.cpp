@@ -5,6 +5,8 @@
 #include <atomic>
 #include <thread>
 
+#include "idl/bus/bell.h"
+
 namespace tacit {
 namespace {
 
@@ -23,7 +25,7 @@ class Barriers : public testing::Test {
   bool rung() { return bell_.wait_until(Clock::now()); }
 
   Bell bell_;
-  Barrier barrier_{3, bell_};
+  Barrier barrier_{3, [this] { bell_.ring(); }};
 };
 
 TEST_F(Barriers, AreCompleteWhenEveryAwaitedRobotHasAnswered) {
@@ -34,7 +36,7 @@ TEST_F(Barriers, AreCompleteWhenEveryAwaitedRobotHasAnswered) {
   EXPECT_TRUE(barrier_.complete());
 }
 
-TEST_F(Barriers, RingOnceAndForTheLastCommandAlone) {
+TEST_F(Barriers, CallOnceAndForTheLastCommandAlone) {
   barrier_.open(5, {true, true, true});
   barrier_.put(command(1, 5));
   barrier_.put(command(2, 5));

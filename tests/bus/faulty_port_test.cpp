@@ -114,8 +114,7 @@ struct History {
 
 /// Makes a run and notes every command of it in order.
 History run(FaultyPort& port) {
-  Bell bell;
-  Barrier barrier(kRobots, bell);
+  Barrier barrier(kRobots, [] {});
   Exchange exchange(port, barrier);
   History history;
   Exchange::Time now{};
@@ -176,8 +175,7 @@ TEST(Exchange, DoesNotSendAgainWhatIsAnsweredInTime) { EXPECT_EQ(run_with({}, 1)
 
 TEST(Exchange, SendsAgainEverMoreRarely) {
   FaultyPort port({}, 1);  // Without agents nobody answers.
-  Bell bell;
-  Barrier barrier(kRobots, bell);
+  Barrier barrier(kRobots, [] {});
   Exchange exchange(port, barrier);
   const std::vector<Percept> percepts = percepts_at(0);
   Exchange::Time now{};
@@ -195,8 +193,7 @@ TEST(Exchange, SendsAgainEverMoreRarely) {
 TEST(Exchange, SendsAgainToNobodyWhoHasAnswered) {
   FaultyPort port({}, 1);
   port.add_agent(1);
-  Bell bell;
-  Barrier barrier(kRobots, bell);
+  Barrier barrier(kRobots, [] {});
   Exchange exchange(port, barrier);
   const std::vector<Percept> percepts = percepts_at(0);
   exchange.begin(percepts, std::vector<bool>(kRobots, true), {});
@@ -208,8 +205,7 @@ TEST(Exchange, SendsAgainToNobodyWhoHasAnswered) {
 TEST(Exchange, SendsNothingToAbsentRobots) {
   FaultyPort port({}, 1);
   for (std::uint16_t robot = 1; robot <= kRobots; ++robot) port.add_agent(robot);
-  Bell bell;
-  Barrier barrier(kRobots, bell);
+  Barrier barrier(kRobots, [] {});
   Exchange exchange(port, barrier);
   const std::vector<Percept> percepts = percepts_at(0);
   exchange.begin(percepts, {true, false, true, false}, {});

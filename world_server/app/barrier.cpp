@@ -7,8 +7,8 @@ RobotId id_of(std::size_t index) { return {static_cast<std::uint16_t>(index + 1)
 
 }  // namespace
 
-Barrier::Barrier(std::size_t robots, Bell& bell)
-    : bell_(bell), slots_(robots, Slot::Unused), commands_(robots) {
+Barrier::Barrier(std::size_t robots, std::function<void()> on_complete)
+    : on_complete_(std::move(on_complete)), slots_(robots, Slot::Unused), commands_(robots) {
   closed_.reserve(robots);
 }
 
@@ -33,7 +33,7 @@ Arrival Barrier::put(const Command& command) {
     commands_[index] = command;
     if (--outstanding_ > 0) return Arrival::Awaited;
   }
-  bell_.ring();
+  on_complete_();
   return Arrival::Awaited;
 }
 

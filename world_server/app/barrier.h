@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <span>
 #include <vector>
 
-#include "idl/bus/bell.h"
 #include "idl/types/command.h"
 
 namespace tacit {
@@ -22,9 +22,10 @@ enum class Arrival {
 /// the rest is for one thread.
 class Barrier {
  public:
-  /// Rings `bell`, which outlives this, when the last awaited command has come. `robots` are
-  /// numbered from 1.
-  Barrier(std::size_t robots, Bell& bell);
+  /// Calls `on_complete` when the last awaited command has come, in the thread that brought it;
+  /// not when the last one awaited is excused.
+  /// `robots` are numbered from 1.
+  Barrier(std::size_t robots, std::function<void()> on_complete);
 
   /// Waits from now on for commands of `tick` by robot i+1 where `awaited[i]`.
   void open(Tick tick, const std::vector<bool>& awaited);
@@ -41,7 +42,7 @@ class Barrier {
  private:
   enum class Slot : std::uint8_t { Unused, Awaited, Filled };
 
-  Bell& bell_;
+  std::function<void()> on_complete_;
   mutable std::mutex mutex_;
   Tick tick_ = 0;
   std::size_t outstanding_ = 0;

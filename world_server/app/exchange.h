@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "idl/bus/bell.h"
 #include "world_server/app/agent_port.h"
 #include "world_server/app/barrier.h"
 

@@ -33,7 +33,7 @@ Server::Server(const Mission& mission, const Settings& settings)
       signals_(bell_),
       hellos_(bell_),
       controls_(bell_),
-      barrier_(world_.percepts().size(), bell_),
+      barrier_(world_.percepts().size(), [this] { carry_on(); }),
       participant_(settings.identity),
       lines_(participant_, world_.percepts().size(), barrier_),
       log_(participant_),
@@ -77,7 +77,7 @@ std::optional<ExitCode> Server::make_ticks() {
       if (const auto code = wait_for_anybody()) return code;
     }
     if (stopped()) return ExitCode::Interrupted;
-    make_tick();
+    make_ticks_in_turn();
   }
   return {};
 }
@@ -109,30 +109,73 @@ void Server::wait_for_turn() {
   }
 }
 
-void Server::make_tick() {
-  exchange_words();
-  if (stopped()) return;
-  log_.add(world_.step(exchange_.end()));
-  gallery_.show(world_, attendance_.present(), Clock::now());
-  tell_status_now_and_then();
+/// Begins a tick, and returns when no tick is under way any more.
+void Server::make_ticks_in_turn() {
+  std::unique_lock baton(baton_);
+  begin_tick(Clock::now());
+  while (in_tick_ && !stopped()) {
+    const Time until = std::min(exchange_.resend_at(), late_at_.value_or(Time::max()));
+    baton.unlock();
+    bell_.wait_until(std::min(until, Clock::now() + kLookPeriod));
+    baton.lock();
+    if (in_tick_) push_on(Clock::now());
+  }
+  in_tick_ = false;
   if (Clock::now() >= next_look_) look_around();
 }
 
-void Server::exchange_words() {
-  const Time begun = Clock::now();
-  exchange_.begin(world_.percepts(), attendance_.present(), begun);
-  while (!exchange_.complete() && !stopped()) {
-    const Time late_at = settings_.patience ? begun + *settings_.patience : Time::max();
-    sleep_until(std::min(exchange_.resend_at(), late_at));
+void Server::begin_tick(Time now) {
+  in_tick_ = true;
+  if (settings_.patience) late_at_ = now + *settings_.patience;
+  exchange_.begin(world_.percepts(), attendance_.present(), now);
+}
+
+void Server::end_tick() {
+  in_tick_ = false;
+  log_.add(world_.step(exchange_.end()));
+  gallery_.show(world_, attendance_.present(), Clock::now());
+  tell_status_now_and_then();
+}
+
+/// Runs in the thread that brought the last command. What is not simply the next tick is left to
+/// the main thread, as is a tick that it has the baton for.
+void Server::carry_on() {
+  const std::unique_lock baton(baton_, std::try_to_lock);
+  if (!baton) return bell_.ring();
+  while (in_tick_ && exchange_.complete() && !stopped()) {
+    end_tick();
     const Time now = Clock::now();
-    if (now >= late_at) return leave_out_the_late();
+    if (!may_go_on(now)) return bell_.ring();
+    pace_.began(now);
+    begin_tick(now);
+  }
+}
+
+bool Server::may_go_on(Time now) const {
+  const std::optional<Time> turn = pace_.next_tick_at(now);
+  return turn && *turn <= now && now < next_look_ && world_.tick() < last_tick_ &&
+         attendance_.count() > 0;
+}
+
+/// Helps a tick that has not ended by itself.
+void Server::push_on(Time now) {
+  if (!exchange_.complete()) {
+    look_around();
+    if (late_at_ && now >= *late_at_) {
+      leave_out_the_late();
+      return end_tick();
+    }
     exchange_.resend_if_due(now);
   }
+  if (exchange_.complete()) end_tick();
 }
 
 void Server::leave_out_the_late() {
   std::vector<Happening> late;
-  for (const RobotId robot : barrier_.missing()) late.emplace_back(RobotLate{robot});
+  for (const RobotId robot : barrier_.missing()) {
+    barrier_.excuse(robot);
+    late.emplace_back(RobotLate{robot});
+  }
   note(late);
 }
 
@@ -155,7 +198,7 @@ ExitCode Server::close(ExitCode code) {
 /// Sleeps until then or until something came, and sees to it.
 void Server::sleep_until(Time until) {
   bell_.wait_until(std::min(until, Clock::now() + kLookPeriod));
-  if (!begun_ || !exchange_.complete() || Clock::now() >= next_look_) look_around();
+  look_around();
 }
 
 void Server::look_around() {

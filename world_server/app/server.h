@@ -1,5 +1,9 @@
 #pragma once
 
+#include <mutex>
+#include <optional>
+#include <vector>
+
 #include "idl/bus/mailbox.h"
 #include "idl/bus/stop_signals.h"
 #include "world_server/app/attendance.h"
@@ -15,6 +19,11 @@
 namespace tacit {
 
 /// One run of a world with its agents, in lock-step.
+///
+/// The thread of the bus that brings a tick's last command moves the world on and sends the next
+/// percepts; waking another thread for that would cost up to a third of the tick. The main thread
+/// does all the rest and steps in when the run does not move by itself. Whoever touches the run
+/// while a tick's words are under way has the baton.
 class Server {
  public:
   struct Settings {
@@ -42,8 +51,11 @@ class Server {
   std::optional<ExitCode> make_ticks();
   std::optional<ExitCode> wait_for_anybody();
   void wait_for_turn();
-  void make_tick();
-  void exchange_words();
+  void make_ticks_in_turn();
+  void begin_tick(Time now);
+  void end_tick();
+  void carry_on();
+  void push_on(Time now);
   void leave_out_the_late();
   ExitCode close(ExitCode code);
 
@@ -54,11 +66,15 @@ class Server {
   void tell_status(RunPhase phase);
   void tell_status_now_and_then();
   [[nodiscard]] RunPhase phase() const;
+  [[nodiscard]] bool may_go_on(Time now) const;
   [[nodiscard]] bool stopped() const { return StopSignals::came() || pace_.stopped(); }
   [[nodiscard]] bool is_everybody_here() const;
   [[nodiscard]] std::string missing() const;
 
   Settings settings_;
+  std::mutex baton_;
+  bool in_tick_ = false;  ///< Percepts are out and commands awaited.
+  std::optional<Time> late_at_;
   Tick last_tick_;
   Time launched_;
   World world_;
