@@ -18,7 +18,9 @@ if(TACIT_WERROR)
   target_compile_options(tacit_flags INTERFACE -Werror)
 endif()
 if(TACIT_SANITIZE STREQUAL "address")
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
+  # Memory that Fast DDS lends begins four bytes behind a multiple of eight.
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize=alignment
+                      -fno-sanitize-recover=undefined
                       -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 elseif(TACIT_SANITIZE STREQUAL "thread")
