@@ -223,9 +223,12 @@ void run(const Wish& wish) {
 }  // namespace
 }  // namespace tacit
 
-/// lockstep_bench [samples [seconds [team size ...]]]
 int main(int argc, char** argv) {
   tacit::Wish wish;
+  if (argc > 1 && std::string(argv[1]) == "--help") {
+    std::printf("usage: lockstep_bench [SAMPLES [SECONDS [ROBOTS...]]]\n");
+    return 0;
+  }
   if (argc > 1) wish.samples = std::max(1, std::atoi(argv[1]));
   if (argc > 2) wish.length = tacit::Seconds(std::max(0.1, std::atof(argv[2])));
   if (argc > 3) wish.team_sizes.clear();

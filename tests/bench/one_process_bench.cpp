@@ -2,7 +2,8 @@
 //   guard   ticks/s of the guard scenario (6 LM soldiers) over those of bare Bullet: the same
 //   bodies
 //           on the same paths through stepSimulation, nothing else;
-//   crowd   robot-steps/s of the crowd scenario at growing team sizes;
+//   crowd   robot-steps/s of the crowd scenario at growing team sizes, in the same area, where a
+//           robot sees ever more of the others, and in an area that grows with the team;
 //   memory  resident memory while a small guard run goes on for very many ticks.
 // Samples of the two sides of a ratio take turns; medians are printed. Times are CPU times of the
 // one thread.
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -160,14 +162,33 @@ void guard() {
               *std::max_element(ratio.begin(), ratio.end()));
 }
 
-void crowd() {
-  std::printf("crowd    robots      ticks/s   robot-steps/s   us per robot and tick   sighted\n");
-  const std::vector<int> sizes{6, 12, 25, 50, 100, 250, 500, 1000};
+enum class Area { Same, GrowsWithTheTeam };
+
+Setup crowd_of(int robots, Area area) {
+  constexpr double kRobotsOfTheScenario = 100.0;
+  const Setup given = scenario("crowd", {{"robots.count", std::to_string(robots)}});
+  if (area == Area::Same) {
+    return given;
+  }
+  const double scale = std::sqrt(robots / kRobotsOfTheScenario);
+  Setup scaled = given;
+  scaled.world.area.width_m *= scale;
+  scaled.world.area.height_m *= scale;
+  scaled.world.target.x_m *= scale;
+  scaled.world.target.y_m *= scale;
+  scaled.world.obstacles.keep_free_m = std::min(given.world.obstacles.keep_free_m, 5.0 * scale);
+  return scaled;
+}
+
+void crowd(const std::vector<int>& sizes, Area area) {
+  std::printf("crowd    %s\n",
+              area == Area::Same ? "in the same area" : "as many per square metre");
+  std::printf("         robots      ticks/s   robot-steps/s   us per robot and tick   sighted\n");
   std::map<int, std::vector<double>> rates;
   std::map<int, double> sighted;
   for (int sample = 0; sample < 5; ++sample) {
     for (const int robots : sizes) {
-      const Setup setup = scenario("crowd", {{"robots.count", std::to_string(robots)}});
+      const Setup setup = crowd_of(robots, area);
       Team team(setup.world, setup.brain, seed(setup) + static_cast<std::uint64_t>(sample));
       const int ticks = std::max(100, 120000 / robots);
       team.step();
@@ -211,6 +232,15 @@ void memory(long ticks) {
   }
 }
 
+/// The numbers in the arguments from the third on, or `otherwise`.
+std::vector<int> numbers(int argc, char** argv, std::vector<int> otherwise) {
+  std::vector<int> given;
+  for (int i = 2; i < argc; ++i) {
+    given.push_back(std::max(1, std::atoi(argv[i])));
+  }
+  return given.empty() ? std::move(otherwise) : given;
+}
+
 }  // namespace
 }  // namespace tacit
 
@@ -218,14 +248,17 @@ int main(int argc, char** argv) {
   const std::string part = argc > 1 ? argv[1] : "all";
   if (part == "--help" ||
       (part != "all" && part != "guard" && part != "crowd" && part != "memory")) {
-    std::printf("usage: one_process_bench [all | guard | crowd | memory [TICKS]]\n");
+    std::printf("usage: one_process_bench [all | guard | crowd [ROBOTS...] | memory [TICKS]]\n");
     return part == "--help" ? 0 : 2;
   }
   if (part == "all" || part == "guard") {
     tacit::guard();
   }
   if (part == "all" || part == "crowd") {
-    tacit::crowd();
+    const std::vector<int> sizes =
+        tacit::numbers(part == "crowd" ? argc : 0, argv, {6, 12, 25, 50, 100, 250, 500, 1000});
+    tacit::crowd(sizes, tacit::Area::Same);
+    tacit::crowd(sizes, tacit::Area::GrowsWithTheTeam);
   }
   if (part == "all" || part == "memory") {
     tacit::memory(argc > 2 ? std::max(10L, std::atol(argv[2])) : 10'000'000L);
