@@ -1,9 +1,22 @@
 #include "deploy/lockstep/setup.h"
 
 namespace tacit {
+namespace {
+
+/// The mission decides which parameters there are and what they are by default.
+void adopt_mission(Setup& setup) {
+  const MissionKind mission = mission_kind(setup.run);
+  if (setup.world.mission != mission) {
+    setup.world = world_defaults(mission);
+    setup.brain = brain_defaults(mission);
+  }
+}
+
+}  // namespace
 
 void describe(Setup& setup, ParameterVisitor& visitor) {
   describe(setup.run, visitor);
+  adopt_mission(setup);
   describe(setup.world, visitor);
   describe(setup.brain, visitor);
 }

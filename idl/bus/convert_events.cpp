@@ -47,8 +47,36 @@ class Writer {
     out_.mean_speed_mps(e.mean_speed_mps);
   }
   void operator()(const RunEnded& e) { out_.state_digest(e.state_digest); }
+  void operator()(const EnemyRetreated& e) { out_.number(e.enemy.value); }
+  void operator()(const MineTaken& e) { mine(e.robot, e.mine); }
+  void operator()(const MineDropped& e) {
+    mine(e.robot, e.mine);
+    out_.x_m(e.position_m.x());
+    out_.y_m(e.position_m.y());
+  }
+  void operator()(const MineStored& e) {
+    mine(e.robot, e.mine);
+    out_.left(e.left);
+  }
+  void operator()(const RobotDisabled& e) {
+    out_.robot(e.robot.value);
+    out_.detail(static_cast<std::uint8_t>(e.by));
+  }
+  void operator()(const RobotRevived& e) {
+    out_.robot(e.robot.value);
+    out_.other_robot(e.by.value);
+  }
+  void operator()(const MissionOver& e) {
+    out_.detail(static_cast<std::uint8_t>(e.verdict));
+    out_.score_ticks(e.score_ticks);
+  }
 
  private:
+  void mine(RobotId robot, MineId mine) {
+    out_.robot(robot.value);
+    out_.number(mine.value);
+  }
+
   wire::Event& out_;
 };
 
@@ -60,8 +88,7 @@ class Reader {
   void operator()(EnemyCreated& e) {
     e.enemy = enemy();
     e.kind = enemy_kind();
-    e.position_m = sieve_vec<WorldVec>(sieve_, in_.x_m(), in_.y_m(), limits::kPositionM,
-                                       "position is not within 1e6 m");
+    e.position_m = position();
   }
   void operator()(EnemyIntercepted& e) {
     e.enemy = enemy();
@@ -89,6 +116,33 @@ class Reader {
                                      "mean speed is not in 0 to 1e4 m/s");
   }
   void operator()(RunEnded& e) { e.state_digest = in_.state_digest(); }
+  void operator()(EnemyRetreated& e) { e.enemy = enemy(); }
+  void operator()(MineTaken& e) {
+    e.robot = sieve_robot(sieve_, in_.robot());
+    e.mine = mine();
+  }
+  void operator()(MineDropped& e) {
+    e.robot = sieve_robot(sieve_, in_.robot());
+    e.mine = mine();
+    e.position_m = position();
+  }
+  void operator()(MineStored& e) {
+    e.robot = sieve_robot(sieve_, in_.robot());
+    e.mine = mine();
+    e.left = in_.left();
+  }
+  void operator()(RobotDisabled& e) {
+    e.robot = sieve_robot(sieve_, in_.robot());
+    e.by = sieve_.code(in_.detail(), Mishap::Enemy, "unknown mishap");
+  }
+  void operator()(RobotRevived& e) {
+    e.robot = sieve_robot(sieve_, in_.robot());
+    e.by = sieve_robot(sieve_, in_.other_robot());
+  }
+  void operator()(MissionOver& e) {
+    e.verdict = sieve_.code(in_.detail(), Verdict::OutOfTime, "unknown verdict");
+    e.score_ticks = sieve_tick(sieve_, in_.score_ticks());
+  }
 
  private:
   EnemyId enemy() {
@@ -96,7 +150,15 @@ class Reader {
     return {in_.number()};
   }
   EnemyKind enemy_kind() {
-    return sieve_.code(in_.detail(), EnemyKind::Decoy, "unknown kind of enemy");
+    return sieve_.code(in_.detail(), EnemyKind::Hunter, "unknown kind of enemy");
+  }
+  MineId mine() {
+    sieve_.pass(in_.number() != 0, "mine is 0, wanted at least 1");
+    return {in_.number()};
+  }
+  WorldVec position() {
+    return sieve_vec<WorldVec>(sieve_, in_.x_m(), in_.y_m(), limits::kPositionM,
+                               "position is not within 1e6 m");
   }
   double distance(double value_m) {
     return sieve_.number(value_m, 0.0, limits::kPositionM, "distance is not in 0 to 1e6 m");

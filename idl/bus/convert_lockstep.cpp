@@ -1,5 +1,6 @@
 #include "idl/bus/convert_lockstep.h"
 
+#include <array>
 #include <cassert>
 
 #include "idl/bus/sieve_words.h"
@@ -49,8 +50,8 @@ void sightings_from_wire(Sieve& sieve, const wire::Percept& wire, Percept& word)
                                     "more sightings than a percept holds"));
   for (std::size_t i = 0; i < word.sightings.size(); ++i) {
     Sighting& seen = word.sightings[i];
-    seen.kind = sieve.code(wire.sighting_kind()[i], Kind::Enemy, "unknown kind of sighting");
-    seen.colour = sieve.code(wire.sighting_colour()[i], Colour::Yellow, "unknown colour");
+    seen.kind = sieve.code(wire.sighting_kind()[i], Kind::Base, "unknown kind of sighting");
+    seen.colour = sieve.code(wire.sighting_colour()[i], Colour::Purple, "unknown colour");
     seen.offset_m = offset_of(sieve, wire.sightings()[i]);
     seen.radius_m = radius_of(sieve, wire.sightings()[i]);
   }
@@ -65,6 +66,30 @@ void obstacles_from_wire(Sieve& sieve, const wire::Percept& wire, Percept& word)
   }
 }
 
+/// The bit of each deed on the wire.
+struct DeedBit {
+  bool Deeds::*deed;
+  unsigned bit;
+};
+constexpr std::array<DeedBit, 5> kDeedBits{{{&Deeds::picked_up, 1},
+                                            {&Deeds::stored, 2},
+                                            {&Deeds::dropped, 4},
+                                            {&Deeds::intercepted, 8},
+                                            {&Deeds::revived, 16}}};
+
+std::uint8_t bits_of(const Deeds& deeds) {
+  unsigned bits = 0;
+  for (const DeedBit& each : kDeedBits) bits |= deeds.*each.deed ? each.bit : 0U;
+  return static_cast<std::uint8_t>(bits);
+}
+
+Deeds deeds_of(Sieve& sieve, unsigned bits) {
+  Deeds deeds;
+  if (!sieve.pass(bits < 32, "unknown deed")) return deeds;
+  for (const DeedBit& each : kDeedBits) deeds.*each.deed = (bits & each.bit) != 0;
+  return deeds;
+}
+
 }  // namespace
 
 void to_wire(const Percept& word, wire::Percept& wire) {
@@ -77,7 +102,10 @@ void to_wire(const Percept& word, wire::Percept& wire) {
   wire.velocity_x_mps(word.velocity_mps.x());
   wire.velocity_y_mps(word.velocity_mps.y());
   wire.touching(word.touching ? 1 : 0);
-  wire.spare(0);
+  wire.able(word.able ? 1 : 0);
+  wire.holding(word.holding ? 1 : 0);
+  wire.deeds(bits_of(word.deeds));
+  wire.spare().fill(0);
   sightings_to_wire(word, wire);
   obstacles_to_wire(word, wire);
 }
@@ -93,6 +121,9 @@ Flaw from_wire(const wire::Percept& wire, Percept& word) {
   word.velocity_mps = sieve_vec<BodyVec>(sieve, wire.velocity_x_mps(), wire.velocity_y_mps(),
                                          limits::kSpeedMps, "velocity is not within 1e4 m/s");
   word.touching = sieve.flag(wire.touching(), "touching is neither 0 nor 1");
+  word.able = sieve.flag(wire.able(), "able is neither 0 nor 1");
+  word.holding = sieve.flag(wire.holding(), "holding is neither 0 nor 1");
+  word.deeds = deeds_of(sieve, wire.deeds());
   sightings_from_wire(sieve, wire, word);
   obstacles_from_wire(sieve, wire, word);
   return sieve.flaw();
@@ -104,6 +135,7 @@ void to_wire(const Command& word, wire::Command& wire) {
   wire.velocity_x_mps(word.velocity_mps.x());
   wire.velocity_y_mps(word.velocity_mps.y());
   wire.turn_radps(word.turn_radps);
+  wire.act(static_cast<std::uint8_t>(word.act));
   wire.spare().fill(0);
 }
 
@@ -115,6 +147,7 @@ Flaw from_wire(const wire::Command& wire, Command& word) {
                                          limits::kSpeedMps, "velocity is not within 1e4 m/s");
   word.turn_radps = sieve.number(wire.turn_radps(), -limits::kTurnRadps, limits::kTurnRadps,
                                  "turn rate is not within 1e4 rad/s");
+  word.act = sieve.code(wire.act(), Act::Aid, "unknown act");
   return sieve.flaw();
 }
 

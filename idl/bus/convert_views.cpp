@@ -19,6 +19,8 @@ void to_wire(const ViewedRobot& word, wire::ViewedRobot& wire) {
   wire.velocity_x_mps(word.velocity_mps.x());
   wire.velocity_y_mps(word.velocity_mps.y());
   wire.present(word.present ? 1 : 0);
+  wire.able(word.able ? 1 : 0);
+  wire.holding(word.holding ? 1 : 0);
 }
 
 void from_wire(Sieve& sieve, const wire::ViewedRobot& wire, ViewedRobot& word) {
@@ -29,6 +31,8 @@ void from_wire(Sieve& sieve, const wire::ViewedRobot& wire, ViewedRobot& word) {
   word.velocity_mps = sieve_vec<WorldVec>(sieve, wire.velocity_x_mps(), wire.velocity_y_mps(),
                                           limits::kSpeedMps, "velocity is not within 1e4 m/s");
   word.present = sieve.flag(wire.present(), "present is neither 0 nor 1");
+  word.able = sieve.flag(wire.able(), "able is neither 0 nor 1");
+  word.holding = sieve.flag(wire.holding(), "holding is neither 0 nor 1");
 }
 
 void to_wire(const ViewedEnemy& word, wire::ViewedEnemy& wire) {
@@ -41,9 +45,22 @@ void to_wire(const ViewedEnemy& word, wire::ViewedEnemy& wire) {
 void from_wire(Sieve& sieve, const wire::ViewedEnemy& wire, ViewedEnemy& word) {
   sieve.pass(wire.enemy() != 0, "enemy is 0, wanted at least 1");
   word.enemy = {wire.enemy()};
-  word.kind = sieve.code(wire.kind(), EnemyKind::Decoy, "unknown kind of enemy");
+  word.kind = sieve.code(wire.kind(), EnemyKind::Hunter, "unknown kind of enemy");
   word.position_m = sieve_vec<WorldVec>(sieve, wire.x_m(), wire.y_m(), limits::kPositionM,
                                         "enemy is not within 1e6 m");
+}
+
+void to_wire(const ViewedMine& word, wire::ViewedMine& wire) {
+  wire.mine(word.mine.value);
+  wire.x_m(word.position_m.x());
+  wire.y_m(word.position_m.y());
+}
+
+void from_wire(Sieve& sieve, const wire::ViewedMine& wire, ViewedMine& word) {
+  sieve.pass(wire.mine() != 0, "mine is 0, wanted at least 1");
+  word.mine = {wire.mine()};
+  word.position_m = sieve_vec<WorldVec>(sieve, wire.x_m(), wire.y_m(), limits::kPositionM,
+                                        "mine is not within 1e6 m");
 }
 
 void to_wire(const SchemaShare& word, wire::SchemaShare& wire) {
@@ -79,6 +96,7 @@ void to_wire(const WorldView& word, wire::WorldView& wire) {
   wire.time_s(word.time_s);
   list_to_wire(word.robots, wire.robots(), WorldView::kMaxBodies);
   list_to_wire(word.enemies, wire.enemies(), WorldView::kMaxBodies);
+  list_to_wire(word.mines, wire.mines(), WorldView::kMaxBodies);
 }
 
 Flaw from_wire(const wire::WorldView& wire, WorldView& word) {
@@ -87,9 +105,11 @@ Flaw from_wire(const wire::WorldView& wire, WorldView& word) {
   word.time_s = sieve.number(wire.time_s(), 0.0, limits::kSimulatedS, "time is not in 0 to 1e12 s");
   sieve.pass(wire.robots().size() <= WorldView::kMaxBodies, "more robots than a view holds");
   sieve.pass(wire.enemies().size() <= WorldView::kMaxBodies, "more enemies than a view holds");
+  sieve.pass(wire.mines().size() <= WorldView::kMaxBodies, "more mines than a view holds");
   if (sieve.flaw()) return sieve.flaw();
   list_from_wire(sieve, wire.robots(), word.robots);
   list_from_wire(sieve, wire.enemies(), word.enemies);
+  list_from_wire(sieve, wire.mines(), word.mines);
   return sieve.flaw();
 }
 
@@ -98,6 +118,8 @@ void to_wire(const Telemetry& word, wire::Telemetry& wire) {
   wire.tick(word.tick);
   wire.learner(word.learner.substr(0, kName));
   wire.situation(word.situation.substr(0, kName));
+  wire.role(word.role.substr(0, kName));
+  wire.state(word.state.substr(0, kName));
   wire.decisions(word.decisions);
   wire.duplicates(word.duplicates);
   wire.rejected(word.rejected);
@@ -110,6 +132,8 @@ Flaw from_wire(const wire::Telemetry& wire, Telemetry& word) {
   word.tick = sieve_tick(sieve, wire.tick());
   sieve.text(wire.learner(), kName, word.learner, "learner is longer than 31 characters");
   sieve.text(wire.situation(), kName, word.situation, "situation is longer than 31 characters");
+  sieve.text(wire.role(), kName, word.role, "role is longer than 31 characters");
+  sieve.text(wire.state(), kName, word.state, "state is longer than 31 characters");
   word.decisions = wire.decisions();
   word.duplicates = wire.duplicates();
   word.rejected = wire.rejected();

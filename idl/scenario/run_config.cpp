@@ -16,6 +16,10 @@ void describe(RunConfig& config, ParameterVisitor& visitor) {
   visitor.section("scenario", "What this is.");
   visitor.text("name", config.name, {"", "Short name, used in run directories and tables."});
   visitor.text("description", config.description, {"", "One sentence for people."});
+  visitor.choice("mission", config.mission, kMissionNames,
+                 {"",
+                  "What the team is there for: guard a target [paper, section 2], or forage for "
+                  "mines [paper, section 3]. Decides which other parameters there are."});
   visitor.section("run", "How long, and with which chance.");
   visitor.integer("seed", config.seed, {0.0, kLargestSeed},
                   {"",

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "idl/types/ids.h"
+#include "idl/types/mission_kind.h"
 #include "idl/types/parameters.h"
 
 namespace tacit {
@@ -12,9 +13,14 @@ namespace tacit {
 struct RunConfig {
   std::string name = "unnamed";
   std::string description;
+  std::string mission = "guard";  ///< One of `kMissionNames`.
   std::int64_t seed = 1;
   double duration_s = 900.0;  ///< Simulated.
 };
+
+[[nodiscard]] inline MissionKind mission_kind(const RunConfig& config) {
+  return mission_kind(config.mission);
+}
 
 /// Sections `scenario` and `run`.
 void describe(RunConfig& config, ParameterVisitor& visitor);

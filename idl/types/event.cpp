@@ -96,6 +96,46 @@ struct ToLine {
   std::string operator()(const RunEnded& e) const {
     return Line(tick, "run_ended").digest("state", e.state_digest).done();
   }
+  std::string operator()(const EnemyRetreated& e) const {
+    return Line(tick, "enemy_retreated").number("enemy", e.enemy.value).done();
+  }
+  std::string operator()(const MineTaken& e) const {
+    return mine_line("mine_taken", e.robot, e.mine).done();
+  }
+  std::string operator()(const MineDropped& e) const {
+    return mine_line("mine_dropped", e.robot, e.mine)
+        .number("x_m", e.position_m.x())
+        .number("y_m", e.position_m.y())
+        .done();
+  }
+  std::string operator()(const MineStored& e) const {
+    return mine_line("mine_stored", e.robot, e.mine).number("left", e.left).done();
+  }
+  std::string operator()(const RobotDisabled& e) const {
+    return Line(tick, "robot_disabled")
+        .number("robot", e.robot.value)
+        .text("by", name(e.by))
+        .done();
+  }
+  std::string operator()(const RobotRevived& e) const {
+    return Line(tick, "robot_revived")
+        .number("robot", e.robot.value)
+        .number("by", e.by.value)
+        .done();
+  }
+  std::string operator()(const MissionOver& e) const {
+    return Line(tick, "mission_over")
+        .text("verdict", name(e.verdict))
+        .number("score_ticks", e.score_ticks)
+        .done();
+  }
+
+ private:
+  [[nodiscard]] Line mine_line(std::string_view event, RobotId robot, MineId mine) const {
+    Line line(tick, event);
+    line.number("robot", robot.value).number("mine", mine.value);
+    return line;
+  }
 };
 
 }  // namespace
@@ -106,6 +146,8 @@ const char* name(EnemyKind kind) {
       return "normal";
     case EnemyKind::Decoy:
       return "decoy";
+    case EnemyKind::Hunter:
+      return "hunter";
   }
   return "?";
 }
@@ -120,6 +162,28 @@ const char* name(Obstruction obstruction) {
       return "robot";
     case Obstruction::Enemy:
       return "enemy";
+  }
+  return "?";
+}
+
+const char* name(Mishap mishap) {
+  switch (mishap) {
+    case Mishap::Mud:
+      return "mud";
+    case Mishap::Enemy:
+      return "enemy";
+  }
+  return "?";
+}
+
+const char* name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Accomplished:
+      return "accomplished";
+    case Verdict::TeamLost:
+      return "team_lost";
+    case Verdict::OutOfTime:
+      return "out_of_time";
   }
   return "?";
 }

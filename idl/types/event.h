@@ -9,7 +9,11 @@
 
 namespace tacit {
 
-enum class EnemyKind : std::uint8_t { Normal, Decoy };
+enum class EnemyKind : std::uint8_t {
+  Normal,  ///< Attacks the target.
+  Decoy,   ///< Draws robots away from it.
+  Hunter,  ///< Disables robots.
+};
 
 /// What a body can bump into.
 enum class Obstruction : std::uint8_t { Obstacle, Wall, Robot, Enemy };
@@ -45,6 +49,67 @@ struct Collision {
   friend bool operator==(const Collision&, const Collision&) = default;
 };
 
+/// An enemy is back in its hiding place outside the area.
+struct EnemyRetreated {
+  EnemyId enemy;
+  friend bool operator==(const EnemyRetreated&, const EnemyRetreated&) = default;
+};
+
+struct MineTaken {
+  RobotId robot;
+  MineId mine;
+  friend bool operator==(const MineTaken&, const MineTaken&) = default;
+};
+
+/// A mine was put down outside the base.
+struct MineDropped {
+  RobotId robot;
+  MineId mine;
+  WorldVec position_m;
+  friend bool operator==(const MineDropped&, const MineDropped&) = default;
+};
+
+/// A mine was dropped at the base; `left` others are still to be stored.
+struct MineStored {
+  RobotId robot;
+  MineId mine;
+  std::uint32_t left = 0;
+  friend bool operator==(const MineStored&, const MineStored&) = default;
+};
+
+/// Why a robot can do nothing more until a teammate helps it.
+enum class Mishap : std::uint8_t {
+  Mud,    ///< The terrain.
+  Enemy,  ///< A hunter's touch.
+};
+
+struct RobotDisabled {
+  RobotId robot;
+  Mishap by = Mishap::Mud;
+  friend bool operator==(const RobotDisabled&, const RobotDisabled&) = default;
+};
+
+struct RobotRevived {
+  RobotId robot;
+  RobotId by;
+  friend bool operator==(const RobotRevived&, const RobotRevived&) = default;
+};
+
+/// How a mission that has an end came to it.
+enum class Verdict : std::uint8_t {
+  Accomplished,  ///< The last mine is stored.
+  TeamLost,      ///< Every robot is disabled, so nobody is left to help.
+  OutOfTime,     ///< The cap was reached.
+};
+
+/// The mission is over. `score_ticks` is the tick of the last mine's storage, or the cap when the
+/// mission failed.
+struct MissionOver {
+  Verdict verdict = Verdict::Accomplished;
+  Tick score_ticks = 0;
+  friend bool operator==(const MissionOver&, const MissionOver&) = default;
+};
+
 /// A robot's agent is gone; the robot stands still until it is back.
 struct RobotLost {
   RobotId robot;
@@ -67,7 +132,7 @@ struct RobotLate {
 struct Checkpoint {
   std::uint64_t state_digest = 0;
   std::uint32_t enemies = 0;               ///< Alive, decoys included.
-  double mean_distance_to_target_m = 0.0;  ///< Over the robots.
+  double mean_distance_to_target_m = 0.0;  ///< Over the robots; in a forage mission, to the base.
   double mean_speed_mps = 0.0;             ///< Over the robots.
   friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
 };
@@ -79,7 +144,8 @@ struct RunEnded {
 };
 
 using Happening = std::variant<EnemyCreated, EnemyIntercepted, TargetHit, Collision, RobotLost,
-                               RobotBack, RobotLate, Checkpoint, RunEnded>;
+                               RobotBack, RobotLate, Checkpoint, RunEnded, EnemyRetreated, MineTaken,
+                               MineDropped, MineStored, RobotDisabled, RobotRevived, MissionOver>;
 
 struct Event {
   Tick tick = 0;
@@ -91,9 +157,13 @@ struct Event {
 /// shortest form that reads back to the same bits.
 [[nodiscard]] std::string to_line(const Event& event);
 
-/// "normal", "decoy".
+/// "normal", "decoy", "hunter".
 [[nodiscard]] const char* name(EnemyKind kind);
 /// "obstacle", "wall", "robot", "enemy".
 [[nodiscard]] const char* name(Obstruction obstruction);
+/// "mud", "enemy".
+[[nodiscard]] const char* name(Mishap mishap);
+/// "accomplished", "team_lost", "out_of_time".
+[[nodiscard]] const char* name(Verdict verdict);
 
 }  // namespace tacit

@@ -20,4 +20,10 @@ struct EnemyId {
   friend auto operator<=>(const EnemyId&, const EnemyId&) = default;
 };
 
+/// A mine, numbered from 1 in the order in which they were laid.
+struct MineId {
+  std::uint32_t value = 0;
+  friend auto operator<=>(const MineId&, const MineId&) = default;
+};
+
 }  // namespace tacit

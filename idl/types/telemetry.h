@@ -25,6 +25,8 @@ struct Telemetry {
   Tick tick = 0;
   std::string learner;    ///< "static1", "static2", "lm"; at most 31 characters.
   std::string situation;  ///< "AllClear", …; empty when the learner has none.
+  std::string role;       ///< "Forager", …; empty when the brain has no roles.
+  std::string state;      ///< Of the role's automaton, "MoveToMine", …; empty when it has none.
   std::vector<SchemaShare> shares;
   std::uint64_t decisions = 0;   ///< Since the process started.
   std::uint64_t duplicates = 0;  ///< Percepts of a tick that had been answered already.

@@ -16,6 +16,8 @@ struct ViewedRobot {
   WorldPose pose;
   WorldVec velocity_mps;
   bool present = true;  ///< False while its agent is lost.
+  bool able = true;     ///< False while it is disabled.
+  bool holding = false; ///< It carries a mine.
 };
 
 struct ViewedEnemy {
@@ -24,14 +26,21 @@ struct ViewedEnemy {
   WorldVec position_m;
 };
 
+/// A mine that lies in the field; those that are carried or stored are not shown.
+struct ViewedMine {
+  MineId mine;
+  WorldVec position_m;
+};
+
 /// The world from outside, for people and recordings; no robot reads it.
 struct WorldView {
-  static constexpr std::size_t kMaxBodies = 1024;  ///< Robots and enemies each.
+  static constexpr std::size_t kMaxBodies = 1024;  ///< Robots, enemies and mines each.
 
   Tick tick = 0;
   double time_s = 0.0;  ///< Simulated.
   std::vector<ViewedRobot> robots;
   std::vector<ViewedEnemy> enemies;
+  std::vector<ViewedMine> mines;
 };
 
 }  // namespace tacit

@@ -11,6 +11,7 @@ Soldier read_soldier(const std::filesystem::path& file) {
   Soldier soldier;
   RunConfig run;
   scenario.fill(run);
+  soldier.brain = brain_defaults(mission_kind(run));
   scenario.fill(soldier.brain);
   check(soldier.brain);
   soldier.seed = static_cast<std::uint64_t>(run.seed);

@@ -31,11 +31,20 @@ class Brain {
   /// `shares`); the counters are the process's and stay as they are.
   void report(Telemetry& out) const;
 
-  /// What has been learned and must survive a crash, as one line of JSON.
+  /// What has been learned and where the brain stands, so that it can go on after a crash.
   [[nodiscard]] std::string memory() const;
   /// Takes up where `memory()` left off. False, and nothing changed, when the text is not one that
   /// this configuration wrote.
   [[nodiscard]] bool recall(std::string_view memory);
+  /// Grows whenever something was learned that must not be lost with the process.
+  [[nodiscard]] std::uint64_t lessons() const;
+
+  /// What has been learned and serves another run as well; the format is the learner's.
+  [[nodiscard]] std::string policy() const;
+  /// Begins this run, at its tick 0, with what an earlier run of the same robot learned. `name` is
+  /// the policy's name in errors. Throws ConfigError when `policy` is not one for this
+  /// configuration.
+  void inherit(std::string_view policy, std::string_view name);
 
  private:
   class Mind;

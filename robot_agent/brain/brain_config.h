@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "idl/types/mission_kind.h"
 #include "idl/types/parameters.h"
 #include "robot_agent/brain/assemblage/actuator.h"
 #include "robot_agent/brain/learning/learning_momentum.h"
@@ -14,9 +15,13 @@
 
 namespace tacit {
 
-/// What can set the gains: the paper's three soldier types, and `crowd`, robots that wander to a
-/// goal.
-inline constexpr std::array<std::string_view, 4> kLearners{"static1", "static2", "lm", "crowd"};
+/// What can set the gains of a guard: the paper's three soldier types, and `crowd`, robots that
+/// wander to a goal.
+inline constexpr std::array<std::string_view, 4> kGuardLearners{"static1", "static2", "lm",
+                                                                "crowd"};
+/// What can choose the role of a forager team's robot.
+inline constexpr std::array<std::string_view, 3> kForageLearners{"q", "homogeneous",
+                                                                 "heterogeneous"};
 
 [[nodiscard]] Gains static1_gains();
 [[nodiscard]] Gains static2_gains();
@@ -26,7 +31,8 @@ inline constexpr std::array<std::string_view, 4> kLearners{"static1", "static2",
 /// All that makes one brain differ from another, its robot and the seed apart. The defaults are a
 /// soldier of the paper's section 2.
 struct BrainConfig {
-  std::string learner = "lm";  ///< One of `kLearners`.
+  MissionKind mission = MissionKind::Guard;
+  std::string learner = "lm";  ///< One of the mission's.
   EnemyGroups::Config enemy_groups;
   Occlusion::Config occlusion;
   SituationConfig situation;
@@ -44,6 +50,10 @@ struct BrainConfig {
   }
 };
 
+/// The defaults for a mission.
+[[nodiscard]] BrainConfig brain_defaults(MissionKind mission);
+
+/// Every parameter that the mission has.
 void describe(BrainConfig& config, ParameterVisitor& visitor);
 
 /// Throws ConfigError, naming the parameter, when one is out of its range or two contradict.

@@ -57,6 +57,27 @@ TEST(EventLine, OfTheEndHoldsTheDigestWithItsLeadingZeros) {
             R"({"tick":1200,"event":"run_ended","state":"00000000000000ff"})");
 }
 
+TEST(EventLine, OfAMineNamesRobotAndMine) {
+  EXPECT_EQ(line(MineTaken{{3}, {9}}), R"({"tick":1200,"event":"mine_taken","robot":3,"mine":9})");
+  EXPECT_EQ(line(MineDropped{{3}, {9}, {1.5, 2.0}}),
+            R"({"tick":1200,"event":"mine_dropped","robot":3,"mine":9,"x_m":1.5,"y_m":2})");
+  EXPECT_EQ(line(MineStored{{3}, {9}, 4}),
+            R"({"tick":1200,"event":"mine_stored","robot":3,"mine":9,"left":4})");
+}
+
+TEST(EventLine, OfAMishapAndItsRemedyNamesTheRobots) {
+  EXPECT_EQ(line(RobotDisabled{{3}, Mishap::Mud}),
+            R"({"tick":1200,"event":"robot_disabled","robot":3,"by":"mud"})");
+  EXPECT_EQ(line(RobotRevived{{3}, {5}}),
+            R"({"tick":1200,"event":"robot_revived","robot":3,"by":5})");
+  EXPECT_EQ(line(EnemyRetreated{{7}}), R"({"tick":1200,"event":"enemy_retreated","enemy":7})");
+}
+
+TEST(EventLine, OfAMissionsEndHoldsVerdictAndScore) {
+  EXPECT_EQ(line(MissionOver{Verdict::TeamLost, 1000000}),
+            R"({"tick":1200,"event":"mission_over","verdict":"team_lost","score_ticks":1000000})");
+}
+
 std::vector<Happening> extremes() {
   constexpr auto kRobot = RobotId{std::numeric_limits<std::uint16_t>::max()};
   constexpr auto kEnemy = EnemyId{std::numeric_limits<std::uint32_t>::max()};
@@ -70,7 +91,14 @@ std::vector<Happening> extremes() {
           RobotBack{kRobot},
           RobotLate{kRobot},
           Checkpoint{~std::uint64_t{0}, 0xffffffff, kHuge, -kTiny},
-          RunEnded{~std::uint64_t{0}}};
+          RunEnded{~std::uint64_t{0}},
+          EnemyRetreated{kEnemy},
+          MineTaken{kRobot, {kEnemy.value}},
+          MineDropped{kRobot, {kEnemy.value}, {kHuge, -kTiny}},
+          MineStored{kRobot, {kEnemy.value}, 0xffffffff},
+          RobotDisabled{kRobot, Mishap::Enemy},
+          RobotRevived{kRobot, kRobot},
+          MissionOver{Verdict::OutOfTime, std::numeric_limits<Tick>::max()}};
 }
 
 TEST(EventLine, IsOneLineOfJsonForEveryKindOfEvent) {

@@ -48,7 +48,8 @@ wire::RunStatus status() { return sound<wire::RunStatus>(test::Words(6).status()
 wire::WorldView view() {
   WorldView word;
   word.robots.push_back({{1}, {}, {}, true});
-  word.enemies.push_back({{1}, EnemyKind::Decoy, {}});
+  word.enemies.push_back({{1}, EnemyKind::Hunter, {}});
+  word.mines.push_back({{1}, {}});
   return sound<wire::WorldView>(word);
 }
 
@@ -78,10 +79,13 @@ TEST(Refusal, OfAPerceptNamesEachBadMember) {
   EXPECT_REFUSED(Percept, percept(), w.velocity_x_mps(kInf));
   EXPECT_REFUSED(Percept, percept(), w.velocity_y_mps(-1.1e4));
   EXPECT_REFUSED(Percept, percept(), w.touching(2));
+  EXPECT_REFUSED(Percept, percept(), w.able(2));
+  EXPECT_REFUSED(Percept, percept(), w.holding(2));
+  EXPECT_REFUSED(Percept, percept(), w.deeds(32));
   EXPECT_REFUSED(Percept, percept(), w.sighting_count(129));
   EXPECT_REFUSED(Percept, percept(), w.obstacle_count(65));
-  EXPECT_REFUSED(Percept, percept(), w.sighting_kind()[2] = 3);
-  EXPECT_REFUSED(Percept, percept(), w.sighting_colour()[2] = 4);
+  EXPECT_REFUSED(Percept, percept(), w.sighting_kind()[2] = 5);
+  EXPECT_REFUSED(Percept, percept(), w.sighting_colour()[2] = 6);
   EXPECT_REFUSED(Percept, percept(), w.sightings()[2].x_m(kNaN));
   EXPECT_REFUSED(Percept, percept(), w.sightings()[2].y_m(-kInf));
   EXPECT_REFUSED(Percept, percept(), w.sightings()[2].radius_m(-1e-9));
@@ -103,6 +107,7 @@ TEST(Refusal, OfACommandNamesEachBadMember) {
   EXPECT_REFUSED(Command, command(), w.velocity_x_mps(kNaN));
   EXPECT_REFUSED(Command, command(), w.velocity_y_mps(1e300));
   EXPECT_REFUSED(Command, command(), w.turn_radps(-kInf));
+  EXPECT_REFUSED(Command, command(), w.act(5));
 }
 
 TEST(Refusal, SaysWhatIsWrong) {
@@ -154,8 +159,13 @@ TEST(Refusal, OfAViewNamesEachBadMember) {
   EXPECT_REFUSED(WorldView, view(), w.robots()[0].heading_cos(0.5));
   EXPECT_REFUSED(WorldView, view(), w.robots()[0].velocity_y_mps(kInf));
   EXPECT_REFUSED(WorldView, view(), w.robots()[0].present(7));
+  EXPECT_REFUSED(WorldView, view(), w.robots()[0].able(2));
+  EXPECT_REFUSED(WorldView, view(), w.robots()[0].holding(2));
+  EXPECT_REFUSED(WorldView, view(), w.mines()[0].mine(0));
+  EXPECT_REFUSED(WorldView, view(), w.mines()[0].x_m(kNaN));
+  EXPECT_REFUSED(WorldView, view(), w.mines().resize(1025));
   EXPECT_REFUSED(WorldView, view(), w.enemies()[0].enemy(0));
-  EXPECT_REFUSED(WorldView, view(), w.enemies()[0].kind(2));
+  EXPECT_REFUSED(WorldView, view(), w.enemies()[0].kind(3));
   EXPECT_REFUSED(WorldView, view(), w.enemies()[0].y_m(1e7));
   EXPECT_REFUSED(WorldView, view(), w.robots().resize(1025));
   EXPECT_REFUSED(WorldView, view(), w.enemies().resize(1025));
@@ -166,6 +176,8 @@ TEST(Refusal, OfATelemetryNamesEachBadMember) {
   EXPECT_REFUSED(Telemetry, telemetry(), w.tick(std::uint64_t{1} << 63));
   EXPECT_REFUSED(Telemetry, telemetry(), w.learner(std::string(32, 'x')));
   EXPECT_REFUSED(Telemetry, telemetry(), w.situation(std::string(32, 'x')));
+  EXPECT_REFUSED(Telemetry, telemetry(), w.role(std::string(32, 'x')));
+  EXPECT_REFUSED(Telemetry, telemetry(), w.state(std::string(32, 'x')));
   EXPECT_REFUSED(Telemetry, telemetry(), w.shares().resize(17));
   EXPECT_REFUSED(Telemetry, telemetry(), w.shares()[0].name(std::string(32, 'x')));
   EXPECT_REFUSED(Telemetry, telemetry(), w.shares()[0].gain(kInf));
@@ -175,9 +187,9 @@ TEST(Refusal, OfATelemetryNamesEachBadMember) {
 TEST(Refusal, OfAnEventNamesEachBadMember) {
   const EnemyCreated created{{1}, EnemyKind::Normal, {}};
   const EnemyIntercepted intercepted{{1}, EnemyKind::Normal, {1}, 0.0};
-  EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].kind(9); }), "");
+  EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].kind(16); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].number(0); }), "");
-  EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].detail(2); }), "");
+  EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].detail(3); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].x_m(kNaN); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(intercepted), [](auto& w) { w.events()[0].robot(0); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(intercepted),
@@ -195,6 +207,22 @@ TEST(Refusal, OfAnEventNamesEachBadMember) {
       flaw_of<EventBatch>(batch(Checkpoint{}), [](auto& w) { w.events()[0].mean_speed_mps(kInf); }),
       "");
   EXPECT_NE(flaw_of<EventBatch>(batch(RunEnded{}), [](auto& w) { w.events().resize(257); }), "");
+}
+
+TEST(Refusal, OfAForageEventNamesEachBadMember) {
+  const auto first = [](auto spoil) { return [spoil](auto& w) { spoil(w.events()[0]); }; };
+  const auto refused = [&](const Happening& what, auto spoil) {
+    return flaw_of<EventBatch>(batch(what), first(spoil)) != "";
+  };
+  EXPECT_TRUE(refused(EnemyRetreated{{1}}, [](auto& e) { e.number(0); }));
+  EXPECT_TRUE(refused(MineTaken{{1}, {1}}, [](auto& e) { e.number(0); }));
+  EXPECT_TRUE(refused(MineTaken{{1}, {1}}, [](auto& e) { e.robot(0); }));
+  EXPECT_TRUE(refused(MineDropped{{1}, {1}, {}}, [](auto& e) { e.y_m(kInf); }));
+  EXPECT_TRUE(refused(MineStored{{1}, {1}, 3}, [](auto& e) { e.robot(0); }));
+  EXPECT_TRUE(refused(RobotDisabled{{1}, Mishap::Mud}, [](auto& e) { e.detail(2); }));
+  EXPECT_TRUE(refused(RobotRevived{{1}, {2}}, [](auto& e) { e.other_robot(0); }));
+  EXPECT_TRUE(refused(MissionOver{}, [](auto& e) { e.detail(3); }));
+  EXPECT_TRUE(refused(MissionOver{}, [](auto& e) { e.score_ticks(std::uint64_t{1} << 63); }));
 }
 
 }  // namespace

@@ -66,6 +66,9 @@ TEST(RoundTrip, KeepsTheMembersOfAPercept) {
   EXPECT_EQ(got.tick, sent.tick);
   EXPECT_EQ(got.odometry.position_m, sent.odometry.position_m);
   EXPECT_EQ(got.velocity_mps, sent.velocity_mps);
+  EXPECT_EQ(got.able, sent.able);
+  EXPECT_EQ(got.holding, sent.holding);
+  EXPECT_EQ(got.deeds, sent.deeds);
   ASSERT_EQ(got.sightings.size(), sent.sightings.size());
   for (std::size_t i = 0; i < got.sightings.size(); ++i) {
     EXPECT_EQ(got.sightings[i].kind, sent.sightings[i].kind);

@@ -22,6 +22,7 @@ class Words {
   }
   RobotId robot() { return {static_cast<std::uint16_t>(1 + chance_.below(65535))}; }
   EnemyId enemy() { return {static_cast<std::uint32_t>(1 + chance_.below(0xfffffffe))}; }
+  MineId mine() { return {enemy().value}; }
   Tick tick() { return chance_.bits() >> 1; }
   std::uint64_t bits() { return chance_.bits(); }
   bool flag() { return chance_.below(2) == 1; }
@@ -65,9 +66,12 @@ inline Percept Words::percept() {
   p.odometry = {vec<OdometryVec>(1e3), heading()};
   p.velocity_mps = vec<BodyVec>(10.0);
   p.touching = flag();
+  p.able = flag();
+  p.holding = flag();
+  p.deeds = {flag(), flag(), flag(), flag(), flag()};
   p.sightings.resize(count(Percept::kMaxSightings));
   for (Sighting& s : p.sightings) {
-    s = {code(Kind::Enemy), code(Colour::Yellow), vec<BodyVec>(100.0), positive(2.0)};
+    s = {code(Kind::Base), code(Colour::Purple), vec<BodyVec>(100.0), positive(2.0)};
   }
   p.obstacles.resize(count(Percept::kMaxObstacles));
   for (SeenObstacle& o : p.obstacles) o = {vec<BodyVec>(100.0), positive(5.0)};
@@ -75,7 +79,7 @@ inline Percept Words::percept() {
 }
 
 inline Command Words::command() {
-  return {robot(), tick(), vec<BodyVec>(10.0), positive(3.0) - 1.5};
+  return {robot(), tick(), vec<BodyVec>(10.0), positive(3.0) - 1.5, code(Act::Aid)};
 }
 
 inline Order Words::order() { return {robot(), bits(), code(OrderKind::Finish), text(1023)}; }
@@ -117,9 +121,9 @@ inline RunStatus Words::status() {
 inline Happening Words::happening() {
   switch (chance_.below(std::variant_size_v<Happening>)) {
     case 0:
-      return EnemyCreated{enemy(), code(EnemyKind::Decoy), vec<WorldVec>(500.0)};
+      return EnemyCreated{enemy(), code(EnemyKind::Hunter), vec<WorldVec>(500.0)};
     case 1:
-      return EnemyIntercepted{enemy(), code(EnemyKind::Decoy), robot(), positive(100.0)};
+      return EnemyIntercepted{enemy(), code(EnemyKind::Hunter), robot(), positive(100.0)};
     case 2:
       return TargetHit{enemy(), positive(10.0)};
     case 3:
@@ -132,6 +136,20 @@ inline Happening Words::happening() {
       return RobotLate{robot()};
     case 7:
       return Checkpoint{bits(), enemy().value, positive(100.0), positive(5.0)};
+    case 8:
+      return EnemyRetreated{enemy()};
+    case 9:
+      return MineTaken{robot(), mine()};
+    case 10:
+      return MineDropped{robot(), mine(), vec<WorldVec>(500.0)};
+    case 11:
+      return MineStored{robot(), mine(), enemy().value};
+    case 12:
+      return RobotDisabled{robot(), code(Mishap::Enemy)};
+    case 13:
+      return RobotRevived{robot(), robot()};
+    case 14:
+      return MissionOver{code(Verdict::OutOfTime), tick()};
     default:
       return RunEnded{bits()};
   }
@@ -151,10 +169,12 @@ inline WorldView Words::view() {
   v.time_s = positive(1e5);
   v.robots.resize(count(100));
   for (ViewedRobot& r : v.robots) {
-    r = {robot(), {vec<WorldVec>(1e3), heading()}, vec<WorldVec>(5.0), flag()};
+    r = {robot(), {vec<WorldVec>(1e3), heading()}, vec<WorldVec>(5.0), flag(), flag(), flag()};
   }
   v.enemies.resize(count(100));
-  for (ViewedEnemy& e : v.enemies) e = {enemy(), code(EnemyKind::Decoy), vec<WorldVec>(1e3)};
+  for (ViewedEnemy& e : v.enemies) e = {enemy(), code(EnemyKind::Hunter), vec<WorldVec>(1e3)};
+  v.mines.resize(count(100));
+  for (ViewedMine& m : v.mines) m = {mine(), vec<WorldVec>(1e3)};
   return v;
 }
 
@@ -164,6 +184,8 @@ inline Telemetry Words::telemetry() {
   t.tick = tick();
   t.learner = text(31);
   t.situation = text(31);
+  t.role = text(31);
+  t.state = text(31);
   t.decisions = bits();
   t.duplicates = bits();
   t.rejected = bits();

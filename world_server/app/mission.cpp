@@ -11,6 +11,7 @@ Mission read_mission(const std::filesystem::path& file, std::optional<double> du
   Mission mission;
   RunConfig run;
   scenario.fill(run);
+  mission.world = world_defaults(mission_kind(run));
   scenario.fill(mission.world);
   check(mission.world);
   mission.seed = static_cast<std::uint64_t>(run.seed);

@@ -30,9 +30,12 @@ class World {
   /// What each robot senses now, in order of id: robot i at index i-1. Valid until the next step.
   [[nodiscard]] std::span<const Percept> percepts() const;
 
-  /// One tick on. `commands` holds at most one command per robot, in any order; a robot without
+  /// One tick on; not when the mission is over. `commands` holds at most one command per robot, in any order; a robot without
   /// one stands still. Returns what happened, valid until the next step.
   std::span<const Event> step(std::span<const Command> commands);
+
+  /// Whether the mission has come to its end, as its last event said; a guard has none.
+  [[nodiscard]] bool over() const;
 
   /// A digest of every body's state.
   [[nodiscard]] std::uint64_t digest() const;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "idl/types/mission_kind.h"
 #include "idl/types/parameters.h"
 
 namespace tacit {
@@ -70,24 +71,88 @@ struct EnemyConfig {
   std::int64_t max_alive = 400;
 };
 
+struct BaseConfig {
+  double x_m = 30.0;
+  double y_m = 30.0;
+  double radius_m = 0.5;
+};
+
+struct MineConfig {
+  std::int64_t count = 20;
+  std::string layout = "scattered";  ///< "scattered", "clusters" or "ring".
+  std::int64_t clusters = 4;
+  double cluster_radius_m = 4.0;
+  double ring_inset_m = 4.0;
+  double keep_from_base_m = 8.0;
+  double radius_m = 0.25;
+  std::int64_t seed = 0;
+  std::vector<std::vector<double>> places;  ///< Rows of x, y.
+};
+
+struct MudConfig {
+  double per_tick = 5e-5;
+};
+
+struct HunterConfig {
+  std::int64_t count = 1;
+  double speed_mps = 0.25;
+  double radius_m = 0.2;
+  double contact_m = 0.5;
+  std::int64_t min_wait_ticks = 500;
+  std::int64_t max_wait_ticks = 1500;
+  double avoid_reach_m = 1.2;
+  double avoid_margin_m = 0.3;
+};
+
+/// What a robot can do with what is how near, centre to centre.
+struct ReachConfig {
+  double pick_up_m = 0.5;
+  double drop_m = 1.0;
+  double intercept_m = 1.0;
+  double aid_m = 0.5;
+  bool revival_needs_aid = true;
+};
+
+struct ForageConfig {
+  BaseConfig base;
+  MineConfig mines;
+  MudConfig mud;
+  HunterConfig hunters;
+  ReachConfig reach;
+  std::int64_t cap_ticks = 1'000'000;
+};
+
 struct PhysicsConfig {
   double tick_s = 0.1;
   std::int64_t substeps = 1;
   std::int64_t checkpoint_ticks = 100;
 };
 
-/// Everything a world is made from, beside its seed.
+/// Everything a world is made from, beside its seed. Of `target` and `enemies` on the one hand and
+/// `forage` on the other, only what the mission is about counts.
 struct WorldConfig {
+  MissionKind mission = MissionKind::Guard;
   AreaConfig area;
   TargetConfig target;
   ObstacleConfig obstacles;
   RobotConfig robots;
   SightConfig sight;
   EnemyConfig enemies;
+  ForageConfig forage;
   PhysicsConfig physics;
 };
 
-/// Names every parameter with unit, range, meaning and source.
+/// The defaults for a mission.
+[[nodiscard]] WorldConfig world_defaults(MissionKind mission);
+
+/// The place that the mission is about: the target to guard, or the base.
+struct FocusPoint {
+  double x_m = 0.0;
+  double y_m = 0.0;
+};
+[[nodiscard]] FocusPoint focus(const WorldConfig& config);
+
+/// Names every parameter that the mission has, with unit, range, meaning and source.
 void describe(WorldConfig& config, ParameterVisitor& visitor);
 
 /// Throws ConfigError when values that are each in range contradict one another.
