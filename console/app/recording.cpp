@@ -87,12 +87,11 @@ std::string Recording::standing() {
     return "waiting for robots, " + std::to_string(status_.present) + " of " +
            std::to_string(status_.robots) + " are there";
   }
-  const Enemies& enemies = recorder_.tally().of<Enemies>();
-  const std::string situations = listener_.situations();
+  const std::string doings = listener_.doings();
   return progress_text({status_.tick, status_.last_tick, setting_.tick_s, ticks_per_s(),
-                        enemies.created, enemies.intercepted, enemies.successful}) +
+                        standing_text(recorder_.tally(), recorder_.directory().facts().robots)}) +
          (status_.phase == RunPhase::Paused ? "  paused" : "") +
-         (situations.empty() ? "" : "  (" + situations + ')');
+         (doings.empty() ? "" : "  (" + doings + ')');
 }
 
 bool Recording::settled() const {

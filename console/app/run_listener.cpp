@@ -1,5 +1,7 @@
 #include "console/app/run_listener.h"
 
+#include "console/report/progress_text.h"
+
 namespace tacit {
 
 RunListener::RunListener(const Identity& identity, std::int64_t robots, Trajectories trajectories,
@@ -24,21 +26,11 @@ std::optional<RunStatus> RunListener::status() {
   return came.empty() ? std::nullopt : std::optional(came.back());
 }
 
-std::string RunListener::situations() {
+std::string RunListener::doings() {
   for (const Telemetry& telemetry : telemetry_.collect()) {
-    situation_of_[telemetry.robot] = telemetry.situation;
+    doing_[telemetry.robot] = doing(telemetry);
   }
-  std::map<std::string, int> robots_in;
-  for (const auto& [robot, situation] : situation_of_) {
-    if (!situation.empty()) {
-      ++robots_in[situation];
-    }
-  }
-  std::string text;
-  for (const auto& [situation, robots] : robots_in) {
-    text += (text.empty() ? "" : ", ") + std::to_string(robots) + ' ' + situation;
-  }
-  return text;
+  return doings_text(doing_);
 }
 
 }  // namespace tacit

@@ -26,16 +26,16 @@ class RunListener {
   [[nodiscard]] std::span<WorldView> trajectories() { return trajectory_.collect(); }
   /// The newest, if one came since the last call.
   [[nodiscard]] std::optional<RunStatus> status();
-  /// "4 ClearToEnemy, 2 AllClear": the robots by the situation each told last; empty when none
-  /// has told one.
-  [[nodiscard]] std::string situations();
+  /// "4 ClearToEnemy, 2 AllClear": the robots by the role or situation each told last; empty when
+  /// none has told one.
+  [[nodiscard]] std::string doings();
 
  private:
   Mailbox<EventBatch> events_;
   Mailbox<WorldView> trajectory_;
   Mailbox<RunStatus> status_;
   Mailbox<Telemetry> telemetry_;
-  std::map<RobotId, std::string> situation_of_;
+  std::map<RobotId, std::string> doing_;
   Participant participant_;
   Subscriber<topics::Events> events_in_;
   Subscriber<topics::Status> status_in_;

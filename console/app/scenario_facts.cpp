@@ -2,6 +2,7 @@
 
 #include "idl/scenario/document.h"
 #include "idl/types/config_error.h"
+#include "idl/types/mission_kind.h"
 
 namespace tacit {
 namespace {
@@ -20,6 +21,13 @@ Value required(Document& document, const std::string& file, const std::string& s
   return *value;
 }
 
+/// A mission without waves of enemies has no strategy.
+std::int64_t strategy_of(Document& document, const std::string& file) {
+  const bool guard = mission_kind(required<std::string>(document, file, "scenario", "mission")) ==
+                     MissionKind::Guard;
+  return guard ? required<std::int64_t>(document, file, "enemies", "strategy") : 0;
+}
+
 }  // namespace
 
 ScenarioFacts scenario_facts(std::string_view toml, const std::string& file) {
@@ -27,7 +35,7 @@ ScenarioFacts scenario_facts(std::string_view toml, const std::string& file) {
   return {required<std::string>(document, file, "scenario", "name"),
           required<std::int64_t>(document, file, "run", "seed"),
           required<std::int64_t>(document, file, "robots", "count"),
-          required<std::int64_t>(document, file, "enemies", "strategy"),
+          strategy_of(document, file),
           required<std::string>(document, file, "brain", "learner"),
           required<double>(document, file, "physics", "tick_s")};
 }

@@ -1,6 +1,17 @@
 #include "console/metrics/tally.h"
 
+#include <type_traits>
+
 namespace tacit {
+namespace {
+
+/// What attacks a target has no meaning where there is none.
+template <class Fold>
+constexpr bool kOnlyOfGuards =
+    std::is_same_v<Fold, Enemies> || std::is_same_v<Fold, DeathDistance> ||
+    std::is_same_v<Fold, Decoys> || std::is_same_v<Fold, IdleSpread>;
+
+}  // namespace
 
 void Tally::add(const Event& event) {
   std::apply([&](auto&... fold) { (fold.add(event), ...); }, folds_);
@@ -8,10 +19,14 @@ void Tally::add(const Event& event) {
 
 std::vector<Metric> Tally::metrics() const {
   std::vector<Metric> all;
-  const auto append = [&](const std::vector<Metric>& some) {
-    all.insert(all.end(), some.begin(), some.end());
+  const bool forage = of<Forage>().mines.has_value();
+  const auto append = [&]<class Fold>(const Fold& fold) {
+    if (!(forage && kOnlyOfGuards<Fold>)) {
+      const std::vector<Metric> some = fold.metrics();
+      all.insert(all.end(), some.begin(), some.end());
+    }
   };
-  std::apply([&](const auto&... fold) { (append(fold.metrics()), ...); }, folds_);
+  std::apply([&](const auto&... fold) { (append(fold), ...); }, folds_);
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "console/metrics/enemies.h"
+#include "console/metrics/forage.h"
 #include "console/metrics/idle_spread.h"
 #include "console/metrics/incidents.h"
 #include "console/metrics/metric.h"
@@ -17,7 +18,8 @@ namespace tacit {
 /// is one more line here.
 class Tally {
  public:
-  using Folds = std::tuple<Enemies,        //
+  using Folds = std::tuple<Forage,         //
+                           Enemies,        //
                            DeathDistance,  //
                            Decoys,         //
                            Collisions,     //
@@ -33,7 +35,7 @@ class Tally {
     return std::get<Fold>(folds_);
   }
 
-  /// In the order of the folds.
+  /// In the order of the folds; those that mean nothing in this run's mission are left out.
   [[nodiscard]] std::vector<Metric> metrics() const;
   /// The value of the metric `key`; absent also when there is no such metric.
   [[nodiscard]] std::optional<double> value(std::string_view key) const;

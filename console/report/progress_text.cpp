@@ -13,7 +13,42 @@ std::string rounded(double number) {
   return text.data();
 }
 
+std::string guard_text(const Enemies& enemies) {
+  return "created " + std::to_string(enemies.created) + " intercepted " +
+         std::to_string(enemies.intercepted) + " successful " + std::to_string(enemies.successful);
+}
+
+std::string forage_text(const Forage& forage, std::int64_t robots) {
+  const auto able = robots - static_cast<std::int64_t>(forage.disabled());
+  return "mines left " + std::to_string(forage.mines_left()) + '/' +
+         std::to_string(forage.mines.value_or(0)) + "  able " + std::to_string(able) + '/' +
+         std::to_string(robots);
+}
+
 }  // namespace
+
+std::string standing_text(const Tally& tally, std::int64_t robots) {
+  const auto& forage = tally.of<Forage>();
+  return forage.mines ? forage_text(forage, robots) : guard_text(tally.of<Enemies>());
+}
+
+const std::string& doing(const Telemetry& telemetry) {
+  return telemetry.role.empty() ? telemetry.situation : telemetry.role;
+}
+
+std::string doings_text(const std::map<RobotId, std::string>& doings) {
+  std::map<std::string, int> robots_at;
+  for (const auto& [robot, what] : doings) {
+    if (!what.empty()) {
+      ++robots_at[what];
+    }
+  }
+  std::string text;
+  for (const auto& [what, robots] : robots_at) {
+    text += (text.empty() ? "" : ", ") + std::to_string(robots) + ' ' + what;
+  }
+  return text;
+}
 
 std::optional<double> seconds_left(const Progress& progress) {
   if (progress.ticks_per_s <= 0.0 || progress.last_tick < progress.tick) {
@@ -47,9 +82,7 @@ std::string progress_text(const Progress& progress) {
     text += "  " + rounded(progress.ticks_per_s) + " ticks/s (" +
             rounded(progress.ticks_per_s * progress.tick_s) + "x)";
   }
-  return text + "  created " + std::to_string(progress.created) + " intercepted " +
-         std::to_string(progress.intercepted) + " successful " +
-         std::to_string(progress.successful);
+  return progress.standing.empty() ? text : text + "  " + progress.standing;
 }
 
 }  // namespace tacit

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
+#include "console/metrics/tally.h"
 #include "idl/types/ids.h"
+#include "idl/types/telemetry.h"
 
 namespace tacit {
 
@@ -14,12 +17,19 @@ struct Progress {
   Tick last_tick = 0;      ///< At which it will end; 0 while that is not known.
   double tick_s = 0.0;     ///< Simulated time per tick.
   double ticks_per_s = 0;  ///< Of wall time; 0 while that is not known.
-  std::uint64_t created = 0;
-  std::uint64_t intercepted = 0;
-  std::uint64_t successful = 0;
+  std::string standing;    ///< As `standing_text` words it.
 };
 
-/// One line for people: tick, time left, speed (and how many times real time), enemies.
+/// How the mission stands, in a few words: enemies, or mines and able robots. `robots` is the size
+/// of the team.
+[[nodiscard]] std::string standing_text(const Tally& tally, std::int64_t robots);
+
+/// What a brain is at: its role, or the situation that it sees itself in; may be empty.
+[[nodiscard]] const std::string& doing(const Telemetry& telemetry);
+/// "3 Forager, 1 Soldier": how many robots are at what; those with an empty text do not count.
+[[nodiscard]] std::string doings_text(const std::map<RobotId, std::string>& doings);
+
+/// One line for people: tick, time left, speed (and how many times real time), standing.
 [[nodiscard]] std::string progress_text(const Progress& progress);
 
 /// Wall time to the end of the run; absent while the speed or the end is not known.

@@ -112,16 +112,11 @@ class Run {
   }
 
   [[nodiscard]] Progress progress() const {
-    const auto count = [this](const char* key) {
-      return static_cast<std::uint64_t>(recorder_.tally().value(key).value_or(0.0));
-    };
     return {team_.tick(),
             last_tick(plan_.setup),
             plan_.setup.world.physics.tick_s,
             static_cast<double>(team_.tick()) / elapsed_s(),
-            count("created"),
-            count("intercepted"),
-            count("successful")};
+            standing_text(recorder_.tally(), plan_.setup.world.robots.count)};
   }
 
   [[nodiscard]] double elapsed_s() const { return Seconds(Clock::now() - begin_).count(); }

@@ -70,6 +70,7 @@ class Writer {
     out_.detail(static_cast<std::uint8_t>(e.verdict));
     out_.score_ticks(e.score_ticks);
   }
+  void operator()(const ForageBegun& e) { out_.left(e.mines); }
 
  private:
   void mine(RobotId robot, MineId mine) {
@@ -143,6 +144,7 @@ class Reader {
     e.verdict = sieve_.code(in_.detail(), Verdict::OutOfTime, "unknown verdict");
     e.score_ticks = sieve_tick(sieve_, in_.score_ticks());
   }
+  void operator()(ForageBegun& e) { e.mines = in_.left(); }
 
  private:
   EnemyId enemy() {

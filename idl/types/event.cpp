@@ -129,6 +129,9 @@ struct ToLine {
         .number("score_ticks", e.score_ticks)
         .done();
   }
+  std::string operator()(const ForageBegun& e) const {
+    return Line(tick, "forage_begun").number("mines", e.mines).done();
+  }
 
  private:
   [[nodiscard]] Line mine_line(std::string_view event, RobotId robot, MineId mine) const {

@@ -95,6 +95,12 @@ struct RobotRevived {
   friend bool operator==(const RobotRevived&, const RobotRevived&) = default;
 };
 
+/// The first event of a forage run.
+struct ForageBegun {
+  std::uint32_t mines = 0;  ///< To be stored.
+  friend bool operator==(const ForageBegun&, const ForageBegun&) = default;
+};
+
 /// How a mission that has an end came to it.
 enum class Verdict : std::uint8_t {
   Accomplished,  ///< The last mine is stored.
@@ -145,7 +151,7 @@ struct RunEnded {
 
 using Happening = std::variant<EnemyCreated, EnemyIntercepted, TargetHit, Collision, RobotLost,
                                RobotBack, RobotLate, Checkpoint, RunEnded, EnemyRetreated, MineTaken,
-                               MineDropped, MineStored, RobotDisabled, RobotRevived, MissionOver>;
+                               MineDropped, MineStored, RobotDisabled, RobotRevived, MissionOver, ForageBegun>;
 
 struct Event {
   Tick tick = 0;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+
 namespace tacit {
 namespace {
 
@@ -11,9 +13,7 @@ Progress half_way() {
   progress.last_tick = 9000;
   progress.tick_s = 0.1;
   progress.ticks_per_s = 60.0;
-  progress.created = 40;
-  progress.intercepted = 35;
-  progress.successful = 1;
+  progress.standing = "created 40 intercepted 35 successful 1";
   return progress;
 }
 
@@ -23,7 +23,38 @@ TEST(ProgressText, TellsHowFarHowFastAndHowWell) {
 }
 
 TEST(ProgressText, LeavesOutWhatIsNotKnownYet) {
-  EXPECT_EQ(progress_text(Progress{}), "tick 0  created 0 intercepted 0 successful 0");
+  EXPECT_EQ(progress_text(Progress{}), "tick 0");
+}
+
+Tally tally_of(std::initializer_list<Happening> happenings) {
+  Tally tally;
+  for (const Happening& what : happenings) {
+    tally.add({0, what});
+  }
+  return tally;
+}
+
+TEST(StandingText, OfAGuardCountsEnemies) {
+  EXPECT_EQ(standing_text(tally_of({EnemyCreated{{1}, EnemyKind::Normal, {}}}), 6),
+            "created 1 intercepted 0 successful 0");
+}
+
+TEST(StandingText, OfForagersCountsMinesAndAbleRobots) {
+  const Tally tally = tally_of({ForageBegun{20}, MineStored{{1}, {4}, 19},
+                                RobotDisabled{{2}, Mishap::Mud}, RobotDisabled{{3}, Mishap::Enemy},
+                                RobotRevived{{2}, {1}}});
+  EXPECT_EQ(standing_text(tally, 6), "mines left 19/20  able 5/6");
+}
+
+TEST(DoingsText, CountsRobotsByRoleOrSituation) {
+  Telemetry forager;
+  forager.role = "Forager";
+  forager.situation = "DetectEnemy";
+  Telemetry guard;
+  guard.situation = "AllClear";
+  EXPECT_EQ(doings_text({{{1}, doing(forager)}, {{2}, doing(guard)}, {{3}, doing(forager)}}),
+            "1 AllClear, 2 Forager");
+  EXPECT_EQ(doings_text({{{1}, ""}}), "");
 }
 
 TEST(SecondsLeft, ShrinkAsTheSpeedGrows) {

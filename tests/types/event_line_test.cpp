@@ -73,6 +73,10 @@ TEST(EventLine, OfAMishapAndItsRemedyNamesTheRobots) {
   EXPECT_EQ(line(EnemyRetreated{{7}}), R"({"tick":1200,"event":"enemy_retreated","enemy":7})");
 }
 
+TEST(EventLine, OfAForageRunsBeginningHoldsTheNumberOfMines) {
+  EXPECT_EQ(line(ForageBegun{20}), R"({"tick":1200,"event":"forage_begun","mines":20})");
+}
+
 TEST(EventLine, OfAMissionsEndHoldsVerdictAndScore) {
   EXPECT_EQ(line(MissionOver{Verdict::TeamLost, 1000000}),
             R"({"tick":1200,"event":"mission_over","verdict":"team_lost","score_ticks":1000000})");
@@ -98,7 +102,8 @@ std::vector<Happening> extremes() {
           MineStored{kRobot, {kEnemy.value}, 0xffffffff},
           RobotDisabled{kRobot, Mishap::Enemy},
           RobotRevived{kRobot, kRobot},
-          MissionOver{Verdict::OutOfTime, std::numeric_limits<Tick>::max()}};
+          MissionOver{Verdict::OutOfTime, std::numeric_limits<Tick>::max()},
+          ForageBegun{0xffffffff}};
 }
 
 TEST(EventLine, IsOneLineOfJsonForEveryKindOfEvent) {

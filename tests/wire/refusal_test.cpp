@@ -187,7 +187,7 @@ TEST(Refusal, OfATelemetryNamesEachBadMember) {
 TEST(Refusal, OfAnEventNamesEachBadMember) {
   const EnemyCreated created{{1}, EnemyKind::Normal, {}};
   const EnemyIntercepted intercepted{{1}, EnemyKind::Normal, {1}, 0.0};
-  EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].kind(16); }), "");
+  EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].kind(17); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].number(0); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].detail(3); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].x_m(kNaN); }), "");

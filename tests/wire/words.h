@@ -148,6 +148,8 @@ inline Happening Words::happening() {
       return RobotDisabled{robot(), code(Mishap::Enemy)};
     case 13:
       return RobotRevived{robot(), robot()};
+    case 15:
+      return ForageBegun{enemy().value};
     case 14:
       return MissionOver{code(Verdict::OutOfTime), tick()};
     default:
