@@ -5,12 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "console/record/policy_folder.h"
 #include "console/record/run.h"
 
 namespace tacit {
 
 /// The folder in which a run is kept: scenario.toml (as resolved), run.json (RunFacts),
-/// events.jsonl, metrics.json (RunOutcome, once the run is over) and trajectories.csv if asked for.
+/// events.jsonl, metrics.json (RunOutcome, once the run is over) and trajectories.csv if asked for;
+/// the policies that the run began with, if there were any, and what was learned in it.
 class RunDirectory {
  public:
   /// Makes `path`, which must be new or empty but for a folder `logs`, and writes scenario and
@@ -28,6 +30,8 @@ class RunDirectory {
   [[nodiscard]] std::filesystem::path trajectories_file() const {
     return path_ / "trajectories.csv";
   }
+  [[nodiscard]] PolicyFolder inherited() const { return PolicyFolder(path_ / "inherited"); }
+  [[nodiscard]] PolicyFolder learned() const { return PolicyFolder(path_ / "learned"); }
   [[nodiscard]] std::filesystem::path metrics_file() const { return path_ / "metrics.json"; }
 
   /// Throws RecordError; what was there before then stays.

@@ -61,7 +61,7 @@ RunFacts facts(const Battery& battery, const PlannedRun& run, const Setup& setup
           "one-process",
           setup.world.robots.count,
           setup.brain.learner,
-          setup.world.enemies.strategy,
+          strategy(setup),
           battery.command(battery.cells()[run.cell], run.seed),
           utc_now()};
 }

@@ -34,4 +34,8 @@ Tick last_tick(const Setup& setup) {
   return last_tick(setup.run.duration_s, setup.world.physics.tick_s);
 }
 
+std::int64_t strategy(const Setup& setup) {
+  return setup.world.mission == MissionKind::Guard ? setup.world.enemies.strategy : 0;
+}
+
 }  // namespace tacit

@@ -25,6 +25,9 @@ void describe(Setup& setup, ParameterVisitor& visitor);
 /// The tick at which the run ends.
 [[nodiscard]] Tick last_tick(const Setup& setup);
 
+/// The attack strategy; 0 in a mission without one.
+[[nodiscard]] std::int64_t strategy(const Setup& setup);
+
 /// The scenario's seed as the random streams take it.
 [[nodiscard]] inline std::uint64_t seed(const Setup& setup) {
   return static_cast<std::uint64_t>(setup.run.seed);

@@ -1,5 +1,7 @@
 #include "deploy/lockstep/team.h"
 
+#include <cassert>
+
 namespace tacit {
 
 Team::Team(const WorldConfig& world, const BrainConfig& brain, std::uint64_t seed)
@@ -8,6 +10,21 @@ Team::Team(const WorldConfig& world, const BrainConfig& brain, std::uint64_t see
     brains_.emplace_back(brain, percept.robot, seed);
   }
   commands_.resize(brains_.size());
+}
+
+void Team::inherit(std::span<const PolicyText> policies) {
+  assert(policies.size() == brains_.size() && tick() == 0);
+  for (std::size_t i = 0; i < policies.size(); ++i) {
+    brains_[i].inherit(policies[i].text, policies[i].name);
+  }
+}
+
+std::vector<std::string> Team::policies() const {
+  std::vector<std::string> policies;
+  for (const Brain& brain : brains_) {
+    policies.push_back(brain.policy());
+  }
+  return policies;
 }
 
 std::span<const Event> Team::step() {

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "idl/types/event.h"
+#include "idl/types/policy_text.h"
 #include "robot_agent/brain/brain.h"
 #include "world_server/world/world.h"
 
@@ -18,12 +20,20 @@ class Team {
   /// One brain per robot of `world`. Throws ConfigError when either configuration cannot be.
   Team(const WorldConfig& world, const BrainConfig& brain, std::uint64_t seed);
 
+  /// Begins the run with what earlier ones taught: `policies[i]` to robot i+1. Call before the
+  /// first step. Throws ConfigError when one is not for its robot.
+  void inherit(std::span<const PolicyText> policies);
+  /// What each robot has learned; robot i+1 at index i.
+  [[nodiscard]] std::vector<std::string> policies() const;
+
   [[nodiscard]] Tick tick() const { return world_.tick(); }
+  /// Whether the run is over at its last tick, or before because the mission is.
+  [[nodiscard]] bool done(Tick last_tick) const { return tick() >= last_tick || world_.over(); }
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] std::span<const Brain> brains() const { return brains_; }
 
-  /// Lets every brain decide and the world move on by one tick. Returns what happened, valid
-  /// until the next call.
+  /// Lets every brain decide and the world move on by one tick; not when the mission is over.
+  /// Returns what happened, valid until the next call.
   std::span<const Event> step();
 
   /// The event that closes the log of a complete run.

@@ -65,13 +65,19 @@ Program console(const RunPlan& plan, const RunDirectory& directory, Venue venue)
   return program;
 }
 
-Program agent(std::int64_t id, const RunDirectory& directory, Venue venue) {
+Program agent(const RunPlan& plan, std::int64_t id, const RunDirectory& directory, Venue venue) {
   const std::string number = std::to_string(id);
   const std::string file = "robot_agent-" + number;
   Program program{"robot_agent " + number, program_folder() / "robot_agent",
                   place_and_scenario(venue, directory), log_of(directory, file)};
   const fs::path memory = directory.path() / "logs" / (file + ".memory");
   append(program.arguments, {"--id", number, "--memory", memory.string()});
+  if (!plan.policies.empty()) {
+    append(program.arguments, {"--inherit", directory.inherited().file_of(id).string()});
+  }
+  if (const auto folder = learned_folder(plan, directory)) {
+    append(program.arguments, {"--learned", folder->file_of(id).string()});
+  }
   return program;
 }
 
@@ -80,7 +86,7 @@ Program agent(std::int64_t id, const RunDirectory& directory, Venue venue) {
 Cast cast_for(const RunPlan& plan, const RunDirectory& directory, Venue venue) {
   Cast cast{world(plan, directory, venue), console(plan, directory, venue), {}};
   for (std::int64_t id = 1; id <= plan.setup.world.robots.count; ++id) {
-    cast.agents.push_back(agent(id, directory, venue));
+    cast.agents.push_back(agent(plan, id, directory, venue));
   }
   return cast;
 }

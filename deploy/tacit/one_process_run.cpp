@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <optional>
 
 #include "console/record/record_error.h"
@@ -18,6 +19,7 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr std::chrono::milliseconds kGlance(20);
+constexpr std::chrono::milliseconds kKeeping(500);
 
 /// A run in this process, from its first tick to its last or to an early end.
 class Run {
@@ -28,7 +30,12 @@ class Run {
         team_(plan.setup.world, plan.setup.brain, seed(plan.setup)),
         recorder_(directory, plan.wish.trajectories ? RunRecorder::Trajectories::On
                                                     : RunRecorder::Trajectories::Off),
-        line_(plan.wish.quiet ? ProgressLine::Style::Silent : ProgressLine::Style::Live) {}
+        line_(plan.wish.quiet ? ProgressLine::Style::Silent : ProgressLine::Style::Live),
+        learned_(learned_folder(plan, directory)) {
+    if (!plan.policies.empty()) {
+      team_.inherit(plan.policies);
+    }
+  }
 
   Ending make() {
     try {
@@ -43,7 +50,7 @@ class Run {
 
  private:
   void make_ticks() {
-    while (team_.tick() < last_tick(plan_.setup) && !early_end()) {
+    while (!team_.done(last_tick(plan_.setup)) && !early_end()) {
       recorder_.add(team_.step());
       record_view();
       keep_pace();
@@ -68,6 +75,7 @@ class Run {
       return false;
     }
     next_glance_ = now + kGlance;
+    keep_lessons_sometimes(now);
     signals_.wait(std::chrono::milliseconds(0));
     line_.show_sometimes([this] { return progress(); });
     if (signals_.end_wanted()) {
@@ -76,6 +84,19 @@ class Run {
       early_ = Ending{Exit::TimedOut, "the time is out"};
     }
     return early_.has_value();
+  }
+
+  void keep_lessons_sometimes(Clock::time_point now) {
+    if (now >= next_keeping_) {
+      next_keeping_ = now + kKeeping;
+      keep_lessons();
+    }
+  }
+
+  void keep_lessons() {
+    if (learned_ && team_.tick() > 0) {
+      learned_->save(team_.policies());
+    }
   }
 
   void keep_pace() {
@@ -93,6 +114,7 @@ class Run {
   Ending finish() {
     const double wall_s = elapsed_s();
     try {
+      keep_lessons();
       const RunOutcome outcome = recorder_.finish(wall_s, early_ ? early_->because : "");
       RunStore(plan_.store).add(recorder_.row(outcome));
     } catch (const RecordError& error) {
@@ -112,11 +134,20 @@ class Run {
   }
 
   [[nodiscard]] Progress progress() const {
-    return {team_.tick(),
-            last_tick(plan_.setup),
-            plan_.setup.world.physics.tick_s,
-            static_cast<double>(team_.tick()) / elapsed_s(),
-            standing_text(recorder_.tally(), plan_.setup.world.robots.count)};
+    return {team_.tick(), last_tick(plan_.setup), plan_.setup.world.physics.tick_s,
+            static_cast<double>(team_.tick()) / elapsed_s(), standing()};
+  }
+
+  [[nodiscard]] std::string standing() const {
+    std::map<RobotId, std::string> doings;
+    Telemetry telemetry;
+    for (const Brain& brain : team_.brains()) {
+      brain.report(telemetry);
+      doings[telemetry.robot] = doing(telemetry);
+    }
+    const std::string text = doings_text(doings);
+    return standing_text(recorder_.tally(), plan_.setup.world.robots.count) +
+           (text.empty() ? "" : "  (" + text + ')');
   }
 
   [[nodiscard]] double elapsed_s() const { return Seconds(Clock::now() - begin_).count(); }
@@ -129,6 +160,8 @@ class Run {
   WorldView view_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point next_glance_ = begin_;
+  Clock::time_point next_keeping_ = begin_ + kKeeping;
+  std::optional<PolicyFolder> learned_;
   std::optional<Ending> early_;
 };
 

@@ -57,7 +57,11 @@ Remake remake(const RunDirectory& directory) {
   const Setup setup = read_setup(file);
   Comparison comparison(directory.events_file());
   Team team(setup.world, setup.brain, seed(setup));
-  while (team.tick() < last_tick(setup)) {
+  if (const auto policies = directory.inherited().load(setup.world.robots.count);
+      !policies.empty()) {
+    team.inherit(policies);
+  }
+  while (!team.done(last_tick(setup))) {
     comparison.take(team.step());
   }
   const Event ending = team.ending();

@@ -16,6 +16,7 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   tacit run guard --robots 6 --learner lm --strategy 1 --seed 7
   tacit run guard --one-process --json
+  tacit run forage --robots 6 --learner q --policy policies/team
   tacit run my.toml --set enemies.speed_mps=1.5 --out runs/slow --trajectories
 
 Exit codes: 0 done, 1 the machine failed, 2 bad input, 3 an agent or the world was lost,
@@ -42,7 +43,9 @@ double read_speed(const std::string& text) {
 void add_scenario_options(CLI::App& run, RunWish& wish) {
   run.add_option("scenario", wish.scenario, "Name of a scenario, or a file")->capture_default_str();
   run.add_option("--robots", wish.robots, "Size of the team")->type_name("N");
-  run.add_option("--learner", wish.learner, "static1, static2, lm or crowd")->type_name("NAME");
+  run.add_option("--learner", wish.learner,
+                 "guard: static1, static2, lm or crowd; forage: q, homogeneous or heterogeneous")
+      ->type_name("NAME");
   run.add_option("--strategy", wish.strategy, "Attack strategy 1 to 5; 0 for no enemies")
       ->type_name("N");
   run.add_option("--seed", wish.seed, "Seed of every stream of chance")->type_name("N");
@@ -62,6 +65,10 @@ void add_run_options(CLI::App& run, RunWish& wish, std::string& speed) {
       ->type_name("DIR");
   run.add_option("--store", wish.store, "Run store that gets a row [runs.db beside DIR]")
       ->type_name("FILE");
+  run.add_option("--policy", wish.policy,
+                 "Folder of policies: the robots begin with what is there and keep there what they "
+                 "learn")
+      ->type_name("DIR");
   run.add_flag("--trajectories", wish.trajectories, "Record where every body was, tick by tick");
   run.add_option("--timeout", wish.timeout_s, "End the run after so much wall time; 0: never")
       ->type_name("S")

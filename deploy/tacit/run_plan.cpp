@@ -63,7 +63,7 @@ RunFacts facts_of(const RunWish& wish, const Setup& setup) {
   facts.transport = wish.one_process ? "one-process" : "dds";
   facts.robots = setup.world.robots.count;
   facts.learner = setup.brain.learner;
-  facts.strategy = setup.world.enemies.strategy;
+  facts.strategy = strategy(setup);
   facts.command_line = wish.command_line;
   facts.started = utc_now();
   return facts;
@@ -80,6 +80,27 @@ fs::path store_of(const RunWish& wish, const fs::path& out) {
     throw ConfigError("--store: there is no directory " + folder.string());
   }
   return wish.store;
+}
+
+/// Checked here, so that a policy that does not fit is told before anything is made.
+std::vector<PolicyText> policies_for(const RunWish& wish, const Setup& setup) {
+  if (wish.policy.empty()) {
+    return {};
+  }
+  std::vector<PolicyText> policies =
+      PolicyFolder(fs::absolute(wish.policy)).load(setup.world.robots.count);
+  if (!policies.empty()) {
+    Team(setup.world, setup.brain, seed(setup)).inherit(policies);
+  }
+  return policies;
+}
+
+std::vector<std::string> texts(const std::vector<PolicyText>& policies) {
+  std::vector<std::string> texts;
+  for (const PolicyText& policy : policies) {
+    texts.push_back(policy.text);
+  }
+  return texts;
 }
 
 void require_fit_for_a_file_name(const std::string& name) {
@@ -113,6 +134,7 @@ RunPlan plan(RunWish wish) {
   plan.facts = facts_of(wish, plan.setup);
   plan.out = wish.out.empty() ? unused_directory(plan.facts) : fs::path(wish.out);
   plan.store = store_of(wish, plan.out);
+  plan.policies = policies_for(wish, plan.setup);
   plan.wish = std::move(wish);
   return plan;
 }
@@ -120,9 +142,22 @@ RunPlan plan(RunWish wish) {
 RunDirectory make_directory(const RunPlan& plan) {
   RunDirectory directory = RunDirectory::create(plan.out, plan.facts, plan.scenario_toml);
   fs::create_directories(directory.path() / "logs");
+  if (!plan.policies.empty()) {
+    directory.inherited().save(texts(plan.policies));
+  }
+  if (const auto learned = learned_folder(plan, directory)) {
+    fs::create_directories(learned->path());
+  }
   // What cannot take the run's row in the end is to be told now.
   const RunStore store(plan.store);
   return directory;
+}
+
+std::optional<PolicyFolder> learned_folder(const RunPlan& plan, const RunDirectory& directory) {
+  if (!plan.wish.policy.empty()) {
+    return PolicyFolder(fs::absolute(plan.wish.policy));
+  }
+  return learns(plan.setup.brain) ? std::optional(directory.learned()) : std::nullopt;
 }
 
 }  // namespace tacit

@@ -22,6 +22,7 @@ struct RunWish {
   std::vector<std::string> settings;  ///< "section.key=value"
   std::string out;
   std::string store;
+  std::string policy;  ///< Folder from which policies come and where they go.
   std::vector<std::string> command_line;
   bool one_process = false;
   bool trajectories = false;
@@ -37,7 +38,8 @@ struct RunWish {
 struct RunPlan {
   RunWish wish;
   Setup setup;
-  std::string scenario_toml;  ///< As resolved.
+  std::string scenario_toml;         ///< As resolved.
+  std::vector<PolicyText> policies;  ///< To begin with; empty: with nothing learned.
   RunFacts facts;
   std::filesystem::path out;
   std::filesystem::path store;
@@ -50,9 +52,15 @@ struct RunPlan {
 /// Throws ConfigError. Makes nothing yet.
 [[nodiscard]] RunPlan plan(RunWish wish);
 
-/// Makes the plan's run directory with its folder for logs, and the store if it is not there.
+/// Makes the plan's run directory with its folder for logs and the policies that the run begins
+/// with, and the store if it is not there.
 /// Throws ConfigError when the directory is occupied or the store is none, RecordError when one
 /// cannot be written.
 [[nodiscard]] RunDirectory make_directory(const RunPlan& plan);
+
+/// Where the run keeps what is learned: the wish's folder, else one in the run directory. None when
+/// the team does not learn and nobody asked.
+[[nodiscard]] std::optional<PolicyFolder> learned_folder(const RunPlan& plan,
+                                                         const RunDirectory& directory);
 
 }  // namespace tacit

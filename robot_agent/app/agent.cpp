@@ -6,6 +6,7 @@
 #include <random>
 
 #include "idl/bus/host_name.h"
+#include "idl/types/config_error.h"
 #include "idl/version/version.h"
 
 namespace tacit {
@@ -31,6 +32,7 @@ Agent::Agent(const Soldier& soldier, const Settings& settings)
       brain_(soldier.brain, settings.robot, soldier.seed),
       answers_([this](const Percept& percept) { return brain_.decide(percept); }),
       memory_(settings.memory),
+      learned_(settings.learned),
       signals_(bell_),
       last_sign_of_world_(Clock::now()),
       participant_({Party::Agent, settings.robot, settings.domain, settings.run_nonce,
@@ -40,7 +42,7 @@ Agent::Agent(const Soldier& soldier, const Settings& settings)
       hello_out_(participant_),
       percepts_in_(participant_, settings.robot, [this](Percept& percept) { answer(percept); }),
       orders_in_(participant_, settings.robot, [this](Order& order) { obey(order); }) {
-  recall();
+  begin();
   say_hello(soldier);
 }
 
@@ -63,7 +65,9 @@ void Agent::say_hello(const Soldier& soldier) {
 void Agent::answer(const Percept& percept) {
   const std::lock_guard lock(thought_);
   if (!welcome_ || ending_) return;
-  if (const Command* command = answers_.to(percept)) commands_out_.publish(*command);
+  const Command* command = answers_.to(percept);
+  if (brain_.lessons() != lessons_kept_) keep_lessons();
+  if (command != nullptr) commands_out_.publish(*command);
 }
 
 void Agent::obey(const Order& order) {
@@ -108,23 +112,47 @@ void Agent::tell_telemetry(Time now) {
   telemetry_out_.publish(telemetry_);
 }
 
-/// The disk may be slow, so it is written to without the lock.
+/// The disk may be slow, so it is written to without the lock on thought.
 void Agent::keep_memory(Time now) {
   std::string memory;
+  std::string policy;
   {
     const std::lock_guard lock(thought_);
     if (answers_.decisions() == 0) return;
     memory = brain_.memory();
+    policy = brain_.policy();
   }
-  memory_.save(memory, now);
+  save(memory, policy, now);
 }
 
-void Agent::recall() {
+/// A lesson is on disk before the world hears of the decision that it led to, so that at most the
+/// one under way is lost with this process.
+void Agent::keep_lessons() {
+  lessons_kept_ = brain_.lessons();
+  save(brain_.memory(), brain_.policy(), Clock::now());
+}
+
+void Agent::save(const std::string& memory, const std::string& policy, Time now) {
+  const std::lock_guard lock(files_);
+  memory_.save(memory, now);
+  learned_.save(policy, now);
+}
+
+/// Goes on where a forerunner of this run died, or else begins with what an earlier run taught.
+void Agent::begin() {
   const std::optional<std::string> memory = memory_.load();
-  if (memory && !brain_.recall(*memory)) {
+  if (memory && brain_.recall(*memory)) {
+    lessons_kept_ = brain_.lessons();
+    return;
+  }
+  if (memory) {
     spdlog::warn("robot {}: {} is of another configuration; starting without it",
                  settings_.robot.value, settings_.memory.string());
   }
+  if (settings_.inherit.empty()) return;
+  const std::optional<std::string> policy = MemoryFile(settings_.inherit).load();
+  if (!policy) throw ConfigError(settings_.inherit.string() + ": cannot be read, wanted a policy");
+  brain_.inherit(*policy, settings_.inherit.string());
 }
 
 }  // namespace tacit

@@ -25,7 +25,9 @@ class Agent {
     RobotId robot;
     int domain = 1;
     std::uint32_t run_nonce = 0;
-    std::filesystem::path memory;
+    std::filesystem::path memory;   ///< Keeps where the brain stands, should this process die.
+    std::filesystem::path inherit;  ///< What an earlier run taught; empty: nothing.
+    std::filesystem::path learned;  ///< Keeps what is learned for later runs; empty: nowhere.
     std::chrono::duration<double> patience{30.0};  ///< Without a world server.
   };
 
@@ -45,15 +47,20 @@ class Agent {
   std::optional<ExitCode> see_to_the_rest(Time now);
   void tell_telemetry(Time now);
   void keep_memory(Time now);
-  void recall();
+  void keep_lessons();
+  void save(const std::string& memory, const std::string& policy, Time now);
+  void begin();
 
   Settings settings_;
   std::uint64_t incarnation_;
   Brain brain_;
   Answers answers_;
   MemoryFile memory_;
+  MemoryFile learned_;
+  std::uint64_t lessons_kept_ = 0;
   Bell bell_;
   StopSignals signals_;
+  std::mutex files_;    ///< Guards the two files; taken after `thought_`, if both are.
   std::mutex thought_;  ///< Guards what follows that is not the bus's own.
   bool welcome_ = false;
   std::optional<ExitCode> ending_;

@@ -17,6 +17,8 @@ ExitCode run(const Options& options) {
                            options.domain,
                            options.run_nonce,
                            options.memory,
+                           options.inherit,
+                           options.learned,
                            std::chrono::duration<double>(options.patience_s)})
         .run();
   } catch (const ConfigError& error) {

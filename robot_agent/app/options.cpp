@@ -32,7 +32,9 @@ void add_options(CLI::App& app, Options& options, std::string& nonce) {
       ->required()
       ->check(check_nonce);
   app.add_option("--memory", options.memory,
-                 "File that keeps what is learned, read at the start if it is there");
+                 "File that keeps where the brain stands, taken up at the start if it is there");
+  app.add_option("--inherit", options.inherit, "Policy of an earlier run to begin with");
+  app.add_option("--learned", options.learned, "File that keeps what is learned for later runs");
   app.add_option("--patience", options.patience_s,
                  "Seconds without a world server after which it gives up")
       ->check(CLI::Range(0.1, 86400.0))

@@ -10,7 +10,9 @@ namespace tacit {
 struct Options {
   std::uint16_t id = 0;
   std::filesystem::path scenario;
-  std::filesystem::path memory;  ///< Empty: what is learned ends with the process.
+  std::filesystem::path memory;   ///< Empty: a process that dies cannot be taken over.
+  std::filesystem::path inherit;  ///< Empty: nothing was learned before.
+  std::filesystem::path learned;  ///< Empty: what is learned ends with the process.
   int domain = 1;
   std::uint32_t run_nonce = 0;
   double patience_s = 30.0;

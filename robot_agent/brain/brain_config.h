@@ -53,6 +53,11 @@ struct BrainConfig {
 /// The defaults for a mission.
 [[nodiscard]] BrainConfig brain_defaults(MissionKind mission);
 
+/// Whether such a brain learns anything that another run could use.
+[[nodiscard]] inline bool learns(const BrainConfig& config) {
+  return config.learner == "lm" || config.learner == "q";
+}
+
 /// Every parameter that the mission has.
 void describe(BrainConfig& config, ParameterVisitor& visitor);
 

@@ -71,7 +71,7 @@ std::optional<ExitCode> Server::gather() {
 
 std::optional<ExitCode> Server::make_ticks() {
   tell_status(RunPhase::Running);
-  while (world_.tick() < last_tick_) {
+  while (!done()) {
     wait_for_turn();
     if (attendance_.count() == 0) {
       if (const auto code = wait_for_anybody()) return code;
@@ -153,8 +153,7 @@ void Server::carry_on() {
 
 bool Server::may_go_on(Time now) const {
   const std::optional<Time> turn = pace_.next_tick_at(now);
-  return turn && *turn <= now && now < next_look_ && world_.tick() < last_tick_ &&
-         attendance_.count() > 0;
+  return turn && *turn <= now && now < next_look_ && !done() && attendance_.count() > 0;
 }
 
 /// Helps a tick that has not ended by itself.

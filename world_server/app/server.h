@@ -67,6 +67,7 @@ class Server {
   void tell_status_now_and_then();
   [[nodiscard]] RunPhase phase() const;
   [[nodiscard]] bool may_go_on(Time now) const;
+  [[nodiscard]] bool done() const { return world_.tick() >= last_tick_ || world_.over(); }
   [[nodiscard]] bool stopped() const { return StopSignals::came() || pace_.stopped(); }
   [[nodiscard]] bool is_everybody_here() const;
   [[nodiscard]] std::string missing() const;
