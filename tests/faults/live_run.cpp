@@ -14,15 +14,28 @@ std::vector<std::string> scenario() {
   return {"run", "guard", "--robots", "4", "--seed", "3", "--duration", "300", "--json"};
 }
 
-std::vector<std::string> words(const Scratch& scratch, const std::vector<std::string>& more) {
-  std::vector<std::string> all = tacit_words(scenario());
+/// Three robots that gather mines until they are told to end: no mine can be picked up.
+std::vector<std::string> endless_forage() {
+  return {"run",    "forage", "--robots", "3",     "--seed",
+          "3",      "--json", "--set",    "reach.pick_up_m=0.01"};
+}
+
+std::vector<std::string> words(const Scratch& scratch, std::vector<std::string> scenario,
+                               const std::vector<std::string>& more) {
+  std::vector<std::string> all = tacit_words(scenario);
   for (const std::string& word :
-       {std::string("--quiet"), std::string("--speed"), std::string("100"), std::string("--out"),
+       {std::string("--quiet"), std::string("--out"),
         (scratch / "run").string(), std::string("--patience-ms"), std::string("0")}) {
     all.push_back(word);
   }
   all.insert(all.end(), more.begin(), more.end());
   return all;
+}
+
+std::vector<std::string> joined(std::vector<std::string> words,
+                                const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
 }
 
 std::string word_after(const std::vector<std::string>& words, const std::string& option) {
@@ -32,7 +45,16 @@ std::string word_after(const std::vector<std::string>& words, const std::string&
 
 }  // namespace
 
-LiveRun::LiveRun(const std::vector<std::string>& more) : launcher_(words(scratch_, more)) {
+LiveRun::LiveRun(const std::vector<std::string>& more)
+    : LiveRun(scenario(), {"--speed", "100"}, more) {}
+
+LiveRun LiveRun::of_foragers(const std::vector<std::string>& more) {
+  return LiveRun(endless_forage(), {"--speed", "1000"}, more);
+}
+
+LiveRun::LiveRun(std::vector<std::string> scenario, const std::vector<std::string>& speed,
+                 const std::vector<std::string>& more)
+    : launcher_(words(scratch_, joined(std::move(scenario), speed), more)) {
   if (!becomes_true([this] { return has_begun(); }, std::chrono::seconds(60))) {
     throw std::runtime_error("the run does not begin: " + launcher_.finish().err);
   }

@@ -13,6 +13,9 @@ class LiveRun {
  public:
   /// `more` are further arguments of `tacit run`. Throws std::runtime_error when it does not begin.
   explicit LiveRun(const std::vector<std::string>& more = {});
+  /// The same with three foragers that never get hold of a mine, so that it goes on until it is
+  /// told to end.
+  [[nodiscard]] static LiveRun of_foragers(const std::vector<std::string>& more);
 
   [[nodiscard]] Running& launcher() { return launcher_; }
   [[nodiscard]] pid_t world() const { return of("world_server"); }
@@ -30,6 +33,8 @@ class LiveRun {
   [[nodiscard]] std::string events() const { return text_of(directory() / "events.jsonl"); }
 
  private:
+  LiveRun(std::vector<std::string> scenario, const std::vector<std::string>& speed,
+          const std::vector<std::string>& more);
   [[nodiscard]] pid_t of(const std::string& name) const;
   [[nodiscard]] bool has_begun() const;
 
