@@ -16,16 +16,16 @@ std::vector<std::string> scenario() {
 
 /// Three robots that gather mines until they are told to end: no mine can be picked up.
 std::vector<std::string> endless_forage() {
-  return {"run",    "forage", "--robots", "3",     "--seed",
-          "3",      "--json", "--set",    "reach.pick_up_m=0.01"};
+  return {
+      "run", "forage", "--robots", "3", "--seed", "3", "--json", "--set", "reach.pick_up_m=0.01"};
 }
 
 std::vector<std::string> words(const Scratch& scratch, std::vector<std::string> scenario,
                                const std::vector<std::string>& more) {
   std::vector<std::string> all = tacit_words(scenario);
   for (const std::string& word :
-       {std::string("--quiet"), std::string("--out"),
-        (scratch / "run").string(), std::string("--patience-ms"), std::string("0")}) {
+       {std::string("--quiet"), std::string("--out"), (scratch / "run").string(),
+        std::string("--patience-ms"), std::string("0")}) {
     all.push_back(word);
   }
   all.insert(all.end(), more.begin(), more.end());

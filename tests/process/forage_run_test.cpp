@@ -97,8 +97,8 @@ TEST(ForageRun, BeginsWithWhatAnEarlierRunTaughtOverDdsAsInOneProcess) {
   const json fresh = result(words(it), {"--out", scratch / "fresh", "--one-process"});
   const json dds =
       result(words(it), {"--out", scratch / "dds", "--policy", scratch / "policies-dds"});
-  const json one = result(words(it), {"--out", scratch / "one", "--policy",
-                                      scratch / "policies-one", "--one-process"});
+  const json one = result(
+      words(it), {"--out", scratch / "one", "--policy", scratch / "policies-one", "--one-process"});
   EXPECT_EQ(dds["event_log_sha256"], one["event_log_sha256"]);
   EXPECT_NE(one["event_log_sha256"], fresh["event_log_sha256"]);
   EXPECT_EQ(policies(scratch / "policies-dds", 3), policies(scratch / "policies-one", 3));
@@ -108,10 +108,10 @@ TEST(ForageRun, BeginsWithWhatAnEarlierRunTaughtOverDdsAsInOneProcess) {
 TEST(ForageRun, ThatBeganWithPoliciesIsVerifiedWithThem) {
   const Scratch scratch;
   const Combination it{"forage_b", "q", 3, 5};
-  (void)result(words(it), {"--out", scratch / "first", "--policy", scratch / "policies",
-                           "--one-process"});
-  (void)result(words(it), {"--out", scratch / "second", "--policy", scratch / "policies",
-                           "--one-process"});
+  (void)result(words(it),
+               {"--out", scratch / "first", "--policy", scratch / "policies", "--one-process"});
+  (void)result(words(it),
+               {"--out", scratch / "second", "--policy", scratch / "policies", "--one-process"});
   EXPECT_EQ(tacit({"verify", scratch / "second"}).exit_code, 0);
   fs::remove_all(scratch / "second/inherited");
   EXPECT_EQ(tacit({"verify", scratch / "second"}).exit_code, 5);
@@ -120,8 +120,8 @@ TEST(ForageRun, ThatBeganWithPoliciesIsVerifiedWithThem) {
 TEST(ForageRun, LeavesPoliciesThatDoNotFitAlone) {
   const Scratch scratch;
   const Combination it{"forage_b", "q", 2, 5};
-  (void)result(words(it), {"--out", scratch / "first", "--policy", scratch / "policies",
-                           "--one-process"});
+  (void)result(words(it),
+               {"--out", scratch / "first", "--policy", scratch / "policies", "--one-process"});
   const std::string cut = text_of(scratch / "policies/robot_2.json").substr(0, 500);
   std::ofstream(scratch / "policies/robot_2.json", std::ios::trunc) << cut;
   const auto before = policies(scratch / "policies", 2);
