@@ -40,6 +40,14 @@ fs::path PolicyFolder::file_of(std::int64_t robot) const {
   return path_ / (std::string(kStart) + std::to_string(robot) + std::string(kEnd));
 }
 
+std::vector<fs::path> PolicyFolder::files() const {
+  std::vector<fs::path> files;
+  for (const std::int64_t robot : robots_there()) {
+    files.push_back(file_of(robot));
+  }
+  return files;
+}
+
 std::vector<PolicyText> PolicyFolder::load(std::int64_t robots) const {
   const std::vector<std::int64_t> there = robots_there();
   if (there.empty()) {

@@ -17,6 +17,8 @@ class PolicyFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path file_of(std::int64_t robot) const;
 
+  /// Of the robots that have one, in order.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const;
   /// Robot i+1 at index i; empty when the folder is not there or holds no policies. Throws
   /// ConfigError when it holds those of another team than robots 1 to `robots`, or one cannot be
   /// read.

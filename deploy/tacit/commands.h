@@ -11,6 +11,7 @@ namespace tacit {
 void add_run(CLI::App& app, Exit& ending);
 void add_experiment(CLI::App& app, Exit& ending);
 void add_scenarios(CLI::App& app, Exit& ending);
+void add_policy(CLI::App& app, Exit& ending);
 void add_verify(CLI::App& app, Exit& ending);
 void add_doctor(CLI::App& app, Exit& ending);
 

@@ -39,6 +39,7 @@ Exit command_line(int argc, char** argv) {
   add_experiment(app, ending);
   add_scenarios(app, ending);
   add_verify(app, ending);
+  add_policy(app, ending);
   add_doctor(app, ending);
   refuse_unknown_command(app, argc > 1 ? argv[1] : "");
   try {
