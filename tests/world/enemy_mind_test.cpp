@@ -11,7 +11,7 @@ namespace tacit {
 namespace {
 
 Enemy an_enemy(EnemyKind kind, const WorldVec& place_m, std::uint64_t seed = 1) {
-  return {EnemyId{1}, kind, 0, place_m, Stream(seed, "enemy heading", 1), {}, 0};
+  return {EnemyId{1}, kind, 0, place_m, {Stream(seed, "enemy heading", 1), {}, 0}};
 }
 
 struct Field {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/world/stage.h"
+#include "tests/world/lookout.h"
 
 namespace tacit {
 namespace {
@@ -26,11 +26,11 @@ Spread spread(const std::vector<double>& all) {
 }
 
 // A hundred enemies ten metres off, seen through noise for a few seeds.
-std::vector<BodyVec> noisy_offsets(Stage& stage) {
-  stage.enemies.assign(100, {30.0, 20.0});
+std::vector<BodyVec> noisy_offsets(Lookout& lookout) {
+  lookout.enemies.assign(100, {30.0, 20.0});
   std::vector<BodyVec> out;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    for (const Sighting& s : stage.percept(seed).sightings) {
+    for (const Sighting& s : lookout.percept(seed).sightings) {
       out.push_back(s.offset_m);
     }
   }
@@ -38,10 +38,10 @@ std::vector<BodyVec> noisy_offsets(Stage& stage) {
 }
 
 TEST(SightNoise, OfRangeHasItsDeviationAndLeavesBearingsAlone) {
-  Stage stage;
-  stage.config.sight.range_noise_m = 0.5;
+  Lookout lookout;
+  lookout.config.sight.range_noise_m = 0.5;
   std::vector<double> ranges;
-  for (const BodyVec& offset : noisy_offsets(stage)) {
+  for (const BodyVec& offset : noisy_offsets(lookout)) {
     ranges.push_back(offset.norm());
     ASSERT_EQ(offset.y(), 0.0);
   }
@@ -50,10 +50,10 @@ TEST(SightNoise, OfRangeHasItsDeviationAndLeavesBearingsAlone) {
 }
 
 TEST(SightNoise, OfBearingHasItsDeviationAndLeavesRangesAlone) {
-  Stage stage;
-  stage.config.sight.bearing_noise_deg = 3.0;
+  Lookout lookout;
+  lookout.config.sight.bearing_noise_deg = 3.0;
   std::vector<double> bearings;
-  for (const BodyVec& offset : noisy_offsets(stage)) {
+  for (const BodyVec& offset : noisy_offsets(lookout)) {
     bearings.push_back(arc_tangent(offset.y(), offset.x()) * 180.0 / kPi);
     ASSERT_NEAR(offset.norm(), 10.0, 1e-12);
   }
@@ -62,38 +62,38 @@ TEST(SightNoise, OfBearingHasItsDeviationAndLeavesRangesAlone) {
 }
 
 TEST(SightNoise, NeverTouchesTheRangeFinder) {
-  Stage stage;
-  stage.terrain.obstacles = {{{24.0, 21.0}, 1.0}};
-  const Percept exact = stage.percept();
-  stage.config.sight.range_noise_m = 0.5;
-  stage.config.sight.bearing_noise_deg = 3.0;
-  const Percept noisy = stage.percept();
+  Lookout lookout;
+  lookout.terrain.obstacles = {{{24.0, 21.0}, 1.0}};
+  const Percept exact = lookout.percept();
+  lookout.config.sight.range_noise_m = 0.5;
+  lookout.config.sight.bearing_noise_deg = 3.0;
+  const Percept noisy = lookout.percept();
   ASSERT_EQ(noisy.obstacles.size(), 1u);
   EXPECT_EQ(noisy.obstacles[0].offset_m, exact.obstacles[0].offset_m);
   EXPECT_EQ(noisy.obstacles[0].radius_m, exact.obstacles[0].radius_m);
 }
 
 TEST(SightNoise, NeverTurnsThePictureInsideOut) {
-  Stage stage;
-  stage.config.sight.range_noise_m = 100.0;
-  for (const BodyVec& offset : noisy_offsets(stage)) {
+  Lookout lookout;
+  lookout.config.sight.range_noise_m = 100.0;
+  for (const BodyVec& offset : noisy_offsets(lookout)) {
     ASSERT_GE(offset.x(), 0.0);
   }
 }
 
 TEST(SightNoise, IsDrawnAnewEveryTick) {
-  Stage stage;
-  stage.enemies = {{30.0, 20.0}};
-  stage.config.sight.range_noise_m = 0.5;
-  EXPECT_FALSE(stage.percept(1, 1).sightings[0].offset_m ==
-               stage.percept(1, 2).sightings[0].offset_m);
+  Lookout lookout;
+  lookout.enemies = {{30.0, 20.0}};
+  lookout.config.sight.range_noise_m = 0.5;
+  EXPECT_FALSE(lookout.percept(1, 1).sightings[0].offset_m ==
+               lookout.percept(1, 2).sightings[0].offset_m);
 }
 
 TEST(SightNoise, OfOneRobotDoesNotDependOnTheOthers) {
-  Stage alone;
+  Lookout alone;
   alone.config.target = {30.0, 20.0, 1.0};
   alone.config.sight.range_noise_m = 0.5;
-  Stage together = alone;
+  Lookout together = alone;
   together.teammates.assign(5, {{60.0, 60.0}, {}});
   EXPECT_EQ(alone.percept().sightings[0].offset_m, together.percept().sightings[0].offset_m);
 }

@@ -253,10 +253,14 @@ TEST(Percepts, CarryNoIdentityOfOthers) {
   const auto& [place, extent] = seen;
   static_assert(!kIsIdentity<decltype(place)> && !kIsIdentity<decltype(extent)>);
   const Percept percept;
-  const auto& [robot, tick, odometry, velocity, touching, sightings, obstacles] = percept;
+  const auto& [robot, tick, odometry, velocity, touching, able, holding, deeds, sightings,
+               obstacles] = percept;
+  const auto& [picked_up, stored, dropped, intercepted, revived] = deeds;
+  static_assert(std::is_same_v<std::remove_cvref_t<decltype(picked_up)>, bool>);
+  EXPECT_FALSE(picked_up || stored || dropped || intercepted || revived);
   EXPECT_EQ(robot, RobotId{});
   EXPECT_EQ(tick, 0u);
-  EXPECT_TRUE(sightings.empty() && obstacles.empty() && !touching);
+  EXPECT_TRUE(sightings.empty() && obstacles.empty() && !touching && able && !holding);
   EXPECT_EQ(velocity, BodyVec{});
   EXPECT_EQ(odometry.position_m, OdometryVec{});
 }

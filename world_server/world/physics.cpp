@@ -10,6 +10,7 @@
 namespace tacit {
 namespace {
 
+constexpr double kMass = 1.0;
 constexpr double kWallHalfThickness_m = 0.05;
 constexpr double kBorderHalfThickness_m = 1.0;
 constexpr double kWallHalfHeight_m = 1.0;
@@ -71,7 +72,7 @@ class Physics::Impl {
 
   BodySlot add(const WorldVec& position_m, double radius_m) {
     const BodySlot slot = take_slot();
-    auto body = make_body(1.0, sphere(radius_m), in_plane(position_m), Tag::mover(slot));
+    auto body = make_body(kMass, sphere(radius_m), in_plane(position_m), Tag::mover(slot));
     body->setLinearFactor({1, 1, 0});
     body->setAngularFactor(0.0);
     body->setActivationState(DISABLE_DEACTIVATION);
@@ -87,6 +88,14 @@ class Physics::Impl {
     movers_[slot].reset();
     free_.push_back(slot);
   }
+
+  // Without mass a body is to Bullet what a wall is.
+  void pin(BodySlot slot) {
+    mover(slot).setLinearVelocity({0, 0, 0});
+    mover(slot).setMassProps(0.0, {0, 0, 0});
+  }
+
+  void unpin(BodySlot slot) { mover(slot).setMassProps(kMass, {0, 0, 0}); }
 
   void step(double duration_s, std::int64_t substeps) {
     contacts_.clear();
@@ -217,6 +226,10 @@ void Physics::set_position(BodySlot slot, const WorldVec& position_m) {
   impl_->mover(slot).getWorldTransform().setOrigin(in_plane(position_m));
   impl_->mover(slot).setInterpolationWorldTransform(impl_->mover(slot).getWorldTransform());
 }
+
+void Physics::pin(BodySlot slot) { impl_->pin(slot); }
+
+void Physics::unpin(BodySlot slot) { impl_->unpin(slot); }
 
 void Physics::step(double duration_s, std::int64_t substeps) { impl_->step(duration_s, substeps); }
 

@@ -43,6 +43,10 @@ class Physics {
   [[nodiscard]] WorldVec velocity(BodySlot slot) const;
   void set_position(BodySlot slot, const WorldVec& position_m);
 
+  /// Stops the body where it is; nothing moves it until `unpin`, which leaves it standing.
+  void pin(BodySlot slot);
+  void unpin(BodySlot slot);
+
   /// Moves every body by its velocity for `duration_s`, in `substeps` equal parts, and resolves
   /// contacts in each.
   void step(double duration_s, std::int64_t substeps = 1);

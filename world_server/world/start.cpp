@@ -28,8 +28,9 @@ bool free_of_robots(const WorldVec& p, double radius_m, const std::vector<WorldP
 WorldPose on_ring(const WorldConfig& config, std::size_t index) {
   const double share = static_cast<double>(index) / static_cast<double>(config.robots.count);
   const Heading outward = Heading::from_rad(2.0 * kPi * share);
-  const WorldVec target{config.target.x_m, config.target.y_m};
-  return {target + config.robots.ring_radius_m * WorldVec{outward.cos, outward.sin}, outward};
+  const FocusPoint point = focus(config);
+  const WorldVec centre{point.x_m, point.y_m};
+  return {centre + config.robots.ring_radius_m * WorldVec{outward.cos, outward.sin}, outward};
 }
 
 WorldPose anywhere(const WorldConfig& config, Stream& chance) {

@@ -8,8 +8,8 @@
 
 namespace tacit {
 
-/// Where the robots stand at tick 0, in order of id: evenly on a ring round the target facing
-/// outwards, or scattered over the free area with random headings.
+/// Where the robots stand at tick 0, in order of id: evenly on a ring round the target or base
+/// facing outwards, or scattered over the free area with random headings.
 ///
 /// Throws ConfigError when there is no room for one of them.
 [[nodiscard]] std::vector<WorldPose> start_poses(const WorldConfig& config, const Terrain& terrain,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "idl/types/config_error.h"
@@ -17,9 +18,20 @@ bool overlaps(const Disc& disc, const std::vector<Disc>& others) {
   });
 }
 
-bool near_target(const Disc& disc, const WorldConfig& config) {
-  const WorldVec target{config.target.x_m, config.target.y_m};
-  return (disc.centre_m - target).norm() < config.obstacles.keep_free_m + disc.radius_m;
+bool near_focus(const Disc& disc, const WorldConfig& config) {
+  const FocusPoint point = focus(config);
+  const WorldVec centre{point.x_m, point.y_m};
+  return (disc.centre_m - centre).norm() < config.obstacles.keep_free_m + disc.radius_m;
+}
+
+// Mines at given places must stay within a robot's reach.
+bool near_given_mine(const Disc& disc, const WorldConfig& config) {
+  const auto& places = config.forage.mines.places;
+  return config.mission == MissionKind::Forage &&
+         std::any_of(places.begin(), places.end(), [&](const std::vector<double>& row) {
+           const double away_m = (disc.centre_m - WorldVec{row[0], row[1]}).norm();
+           return away_m < disc.radius_m + mine_clearance_m(config);
+         });
 }
 
 bool near_wall(const Disc& disc, const std::vector<Wall>& walls) {
@@ -36,8 +48,8 @@ std::optional<Disc> place_disc(const WorldConfig& config, const Terrain& terrain
     const double y = r + (terrain.height_m - 2.0 * r) * chance.uniform();
     const Disc disc{{x, y}, r};
     const bool fits = 2.0 * r <= std::min(terrain.width_m, terrain.height_m);
-    if (fits && !near_target(disc, config) && !overlaps(disc, terrain.obstacles) &&
-        !near_wall(disc, terrain.walls)) {
+    if (fits && !near_focus(disc, config) && !near_given_mine(disc, config) &&
+        !overlaps(disc, terrain.obstacles) && !near_wall(disc, terrain.walls)) {
       return disc;
     }
   }
@@ -69,6 +81,8 @@ void scatter_discs(const WorldConfig& config, Stream chance, Terrain& terrain) {
 
 }  // namespace
 
+double mine_clearance_m(const WorldConfig& config) { return 3.0 * config.robots.radius_m; }
+
 Terrain make_terrain(const WorldConfig& config, std::uint64_t seed) {
   Terrain terrain{config.area.width_m, config.area.height_m, config.area.border_walls, {}, {}};
   for (const auto& row : config.area.walls) {
@@ -87,6 +101,28 @@ WorldVec nearest_point(const Wall& wall, const WorldVec& p) {
   const double length2 = along.squared_norm();
   const double t = length2 > 0.0 ? (p - wall.from_m).dot(along) / length2 : 0.0;
   return wall.from_m + std::clamp(t, 0.0, 1.0) * along;
+}
+
+double clearance_m(const Terrain& terrain, const WorldVec& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Disc& disc : terrain.obstacles) {
+    least = std::min(least, (disc.centre_m - p).norm() - disc.radius_m);
+  }
+  for (const Wall& wall : terrain.walls) {
+    least = std::min(least, (nearest_point(wall, p) - p).norm());
+  }
+  return least;
+}
+
+WorldVec rim_place(const Terrain& terrain, double inset_m, double share) {
+  const double w = std::max(0.0, terrain.width_m - 2.0 * inset_m);
+  const double h = std::max(0.0, terrain.height_m - 2.0 * inset_m);
+  const double along = share * 2.0 * (w + h);
+  const WorldVec corner{inset_m, inset_m};
+  if (along < w) return corner + WorldVec{along, 0.0};
+  if (along < w + h) return corner + WorldVec{w, along - w};
+  if (along < 2.0 * w + h) return corner + WorldVec{2.0 * w + h - along, h};
+  return corner + WorldVec{0.0, 2.0 * (w + h) - along};
 }
 
 }  // namespace tacit

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -11,6 +12,14 @@
 #include "world_server/world/world_config.h"
 
 namespace tacit {
+
+/// The parts of a step, in order.
+enum class WorldPhase : std::uint8_t {
+  Intent,   ///< Commands and enemies' wishes become velocities; enemies come in.
+  Motion,   ///< Bodies move and touch.
+  Rules,    ///< What the mission makes of it; the tick counts.
+  Sensing,  ///< Percepts of the new tick.
+};
 
 /// The world: a function from commands to percepts and events.
 ///
@@ -30,8 +39,8 @@ class World {
   /// What each robot senses now, in order of id: robot i at index i-1. Valid until the next step.
   [[nodiscard]] std::span<const Percept> percepts() const;
 
-  /// One tick on; not when the mission is over. `commands` holds at most one command per robot, in any order; a robot without
-  /// one stands still. Returns what happened, valid until the next step.
+  /// One tick on; not when the mission is over. `commands` holds at most one command per robot, in
+  /// any order; a robot without one stands still. Returns what happened, valid until the next step.
   std::span<const Event> step(std::span<const Command> commands);
 
   /// Whether the mission has come to its end, as its last event said; a guard has none.
@@ -41,6 +50,10 @@ class World {
   [[nodiscard]] std::uint64_t digest() const;
 
   void view(WorldView& out) const;
+
+  /// Calls `observer` at the end of every phase of every step from now on, so that somebody with a
+  /// clock can tell where the time goes; an empty one stops it. It must not touch the world.
+  void on_phase(std::function<void(WorldPhase)> observer);
 
  private:
   class Impl;

@@ -181,10 +181,11 @@ void describe_reach(ForageConfig& forage, ParameterVisitor& v) {
            {"m", "Of destroying an enemy. [ours: beyond its touch, \"safely\" (paper)]"});
   v.number("aid_m", reach.aid_m, {0.01, 1000},
            {"m", "Of getting a disabled robot going again. [paper: by touch]"});
-  v.flag("revival_needs_aid", reach.revival_needs_aid,
-         {"",
-          "Whether a robot must mean to help, as Mechanics do, or any robot's touch will do. [ours: "
-          "the paper says both]"});
+  v.flag(
+      "revival_needs_aid", reach.revival_needs_aid,
+      {"",
+       "Whether a robot must mean to help, as Mechanics do, or any robot's touch will do. [ours: "
+       "the paper says both]"});
   v.section("end", "When a mission counts as failed.");
   v.integer("cap_ticks", forage.cap_ticks, {1, 1e9},
             {"ticks", "It ends here and scores this. [paper: 1,000,000 iterations]"});

@@ -3,9 +3,8 @@
 #include <cstdint>
 
 #include "idl/types/event.h"
-#include "idl/types/random.h"
+#include "world_server/world/enemies/steering.h"
 #include "world_server/world/sensing/line_of_sight.h"
-#include "world_server/world/sensing/near_map.h"
 #include "world_server/world/terrain.h"
 #include "world_server/world/world_config.h"
 
@@ -16,10 +15,8 @@ struct Enemy {
   EnemyId id;
   EnemyKind kind = EnemyKind::Normal;
   std::size_t wave = 0;
-  WorldVec appeared_m;    ///< Where it appeared.
-  Stream chance;          ///< Its own.
-  WorldVec wander;        ///< Held random heading, unit length.
-  Tick wander_until = 0;  ///< Tick at which it is drawn anew.
+  WorldVec appeared_m;  ///< Where it appeared.
+  Wander wander;
 };
 
 /// How enemies move. Normal enemies go straight to the target while it is in sight and wander
@@ -36,14 +33,11 @@ class EnemyMind {
  private:
   [[nodiscard]] bool sees_target(const WorldVec& place_m);
   [[nodiscard]] WorldVec purpose(const Enemy& enemy, const WorldVec& place_m);
-  [[nodiscard]] WorldVec away_from_obstacles(const WorldVec& place_m) const;
-  void refresh_wander(Enemy& enemy, Tick tick) const;
 
   EnemyConfig config_;
   const Terrain* terrain_;
   WorldVec target_m_;
-  Tick wander_ticks_;
-  NearMap near_;
+  Steering steering_;
   LineOfSight sight_;
 };
 

@@ -33,11 +33,6 @@ void keep_nearest(std::vector<Seen>& seen, std::size_t limit) {
 
 Senses::Senses(const WorldConfig& config, const Terrain& terrain, std::uint64_t seed)
     : sight_(config.sight),
-      target_m_(config.target.x_m, config.target.y_m),
-      looks_{{Kind::Target, Colour::White, {}, config.target.radius_m},
-             {Kind::Teammate, Colour::Blue, {}, config.robots.radius_m},
-             {Kind::Enemy, Colour::Red, {}, config.enemies.radius_m}},
-      robots_(static_cast<std::size_t>(config.robots.count)),
       range2_m2_(config.sight.range_m * config.sight.range_m),
       half_view_cos_(sin_cos(config.sight.field_of_view_deg * (0.5 * kPi / 180.0)).cos),
       panoramic_(config.sight.field_of_view_deg >= 360.0),
@@ -46,8 +41,8 @@ Senses::Senses(const WorldConfig& config, const Terrain& terrain, std::uint64_t 
       line_of_sight_(terrain, config.sight.range_m,
                      {config.sight.blocked_by_obstacles, config.sight.blocked_by_walls}) {
   if (config.sight.range_noise_m > 0.0 || config.sight.bearing_noise_deg > 0.0) {
-    for (std::size_t robot = 1; robot <= robots_; ++robot) {
-      noise_.emplace_back(seed, "sight noise", robot);
+    for (std::int64_t robot = 1; robot <= config.robots.count; ++robot) {
+      noise_.emplace_back(seed, "sight noise", static_cast<std::uint64_t>(robot));
     }
   }
 }
@@ -57,11 +52,14 @@ void Senses::sense(const Scene& scene, std::size_t robot, Percept& out) {
   out.sightings.clear();
   out.obstacles.clear();
   line_of_sight_.look_from(eye.place_m);
-  const WorldVec to_target = target_m_ - eye.place_m;
-  if (to_target.squared_norm() <= range2_m2_) {
-    see(eye, to_target, looks_.target, out);
+  const WorldVec to_landmark = scene.landmark.place_m - eye.place_m;
+  if (to_landmark.squared_norm() <= range2_m2_) {
+    see(eye, to_landmark, scene.landmark.look, out);
   }
   see_bodies(scene, robot, eye, out);
+  if (scene.things.grid != nullptr) {
+    see_things(scene.things, eye, out);
+  }
   range_obstacles(eye, out);
   range_border(eye, out);
   keep_nearest(out.sightings, Percept::kMaxSightings);
@@ -77,11 +75,20 @@ void Senses::see_bodies(const Scene& scene, std::size_t robot, const Eye& eye, P
     if (offset.squared_norm() > range2_m2_ || body == robot) {
       return;
     }
-    see(eye, offset, body < robots_ ? looks_.teammate : looks_.enemy, out);
+    see(eye, offset, scene.looks[body], out);
   });
 }
 
-void Senses::see(const Eye& eye, const WorldVec& offset, const Sighting& as, Percept& out) {
+void Senses::see_things(const Things& things, const Eye& eye, Percept& out) {
+  things.grid->near(eye.place_m, sight_.range_m, [&](std::size_t, const WorldVec& place_m) {
+    const WorldVec offset = place_m - eye.place_m;
+    if (offset.squared_norm() <= range2_m2_) {
+      see(eye, offset, things.look, out);
+    }
+  });
+}
+
+void Senses::see(const Eye& eye, const WorldVec& offset, const Look& as, Percept& out) {
   const BodyVec seen = to_body(eye.heading, offset);
   if (!panoramic_ && seen.x() < half_view_cos_ * seen.norm()) {
     return;

@@ -14,18 +14,40 @@
 
 namespace tacit {
 
-/// The moving bodies as the sensors meet them: robots first, in order of id, then enemies.
+/// What a thing looks like to whoever recognises it.
+struct Look {
+  Kind kind = Kind::Target;
+  Colour colour = Colour::White;
+  double radius_m = 0.0;
+};
+
+/// One thing that stays where it is.
+struct Landmark {
+  WorldVec place_m;
+  Look look;
+};
+
+/// Many things that look alike; none without a grid.
+struct Things {
+  const BodyGrid* grid = nullptr;
+  Look look;
+};
+
+/// What the sensors meet. Bodies are robots first, in order of id, then visitors.
 struct Scene {
-  std::span<const WorldVec> places_m;
-  std::span<const Heading> headings;  ///< Of the robots.
-  const BodyGrid* grid = nullptr;     ///< Over `places_m`.
+  std::span<const WorldVec> places_m;  ///< Of the bodies.
+  std::span<const Heading> headings;   ///< Of the robots.
+  std::span<const Look> looks;         ///< Of the bodies.
+  const BodyGrid* grid = nullptr;      ///< Over `places_m`.
+  Landmark landmark;
+  Things things;
 };
 
 /// Turns the world's state into what each robot's sensors deliver.
 ///
-/// Things are recognised within range, field of view and line of sight; the target counts as seen
-/// like any other thing. Obstacles are ranged when their surface is near enough; they do not hide
-/// one another. Robots and enemies are too small to hide anything.
+/// Things are recognised within range, field of view and line of sight; the landmark counts as
+/// seen like any other thing. Obstacles are ranged when their surface is near enough; they do not
+/// hide one another. Robots and enemies are too small to hide anything.
 class Senses {
  public:
   /// Keeps a reference to `terrain`.
@@ -39,23 +61,15 @@ class Senses {
     WorldVec place_m;
     Heading heading;
   };
-  /// What each kind of thing looks like, place apart.
-  struct Looks {
-    Sighting target;
-    Sighting teammate;
-    Sighting enemy;
-  };
   /// Takes in the thing at `offset`, which is in range, unless it is out of view or hidden.
-  void see(const Eye& eye, const WorldVec& offset, const Sighting& as, Percept& out);
+  void see(const Eye& eye, const WorldVec& offset, const Look& as, Percept& out);
   void see_bodies(const Scene& scene, std::size_t robot, const Eye& eye, Percept& out);
+  void see_things(const Things& things, const Eye& eye, Percept& out);
   void range_obstacles(const Eye& eye, Percept& out) const;
   void range_border(const Eye& eye, Percept& out) const;
   void blur(std::size_t robot, Percept& out);
 
   SightConfig sight_;
-  WorldVec target_m_;
-  Looks looks_;
-  std::size_t robots_;
   double range2_m2_;
   double half_view_cos_;
   bool panoramic_;

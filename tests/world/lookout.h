@@ -9,7 +9,7 @@
 namespace tacit {
 
 /// A scene set by hand: robot 1 looks, the other robots and the enemies are looked at.
-struct Stage {
+struct Lookout {
   WorldConfig config = empty_world(1);
   Terrain terrain{100.0, 100.0, false, {}, {}};
   WorldPose eye{{20.0, 20.0}, {}};
@@ -17,7 +17,7 @@ struct Stage {
   std::vector<WorldPose> teammates;
 
   // A stage in which nothing but the enemies is in sight.
-  Stage() {
+  Lookout() {
     config.sight.range_m = 30.0;
     config.target.x_m = 90.0;
     config.target.y_m = 90.0;
@@ -32,12 +32,17 @@ struct Stage {
       headings.push_back(mate.heading);
     }
     places.insert(places.end(), enemies.begin(), enemies.end());
+    std::vector<Look> bodies(headings.size(),
+                             {Kind::Teammate, Colour::Blue, config.robots.radius_m});
+    bodies.resize(places.size(), {Kind::Enemy, Colour::Red, config.enemies.radius_m});
+    const Landmark target{{config.target.x_m, config.target.y_m},
+                          {Kind::Target, Colour::White, config.target.radius_m}};
     BodyGrid grid(terrain.width_m, terrain.height_m, config.sight.range_m);
     grid.rebuild(places);
     Senses senses(config, terrain, seed);
     Percept out;
     for (int i = 0; i < looks; ++i) {
-      senses.sense({places, headings, &grid}, 0, out);
+      senses.sense({places, headings, bodies, &grid, target, {}}, 0, out);
     }
     return out;
   }
