@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "world_server/world/missions/forage.h"
 #include "world_server/world/missions/guard.h"
 #include "world_server/world/stage.h"
 
@@ -20,7 +21,7 @@ std::unique_ptr<Mission> make_mission(Stage& stage) {
     case MissionKind::Guard:
       return std::make_unique<Guard>(stage);
     case MissionKind::Forage:
-      break;
+      return std::make_unique<Forage>(stage);
   }
   std::abort();
 }
