@@ -41,6 +41,9 @@ void Perception::sort(const Percept& percept) {
       case Kind::Enemy:
         if (attention_ == Attention::Everything) around_.enemies.push_back(seen);
         break;
+      case Kind::Mine:
+      case Kind::Base:
+        break;
     }
   }
   if (target) target_.see(percept.odometry, target->offset_m);

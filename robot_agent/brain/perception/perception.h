@@ -4,8 +4,8 @@
 
 #include "robot_agent/brain/perception/enemy_groups.h"
 #include "robot_agent/brain/perception/occlusion.h"
+#include "robot_agent/brain/perception/place_memory.h"
 #include "robot_agent/brain/perception/surroundings.h"
-#include "robot_agent/brain/perception/target_memory.h"
 
 namespace tacit {
 
@@ -30,7 +30,7 @@ class Perception {
   EnemyGroups groups_;
   Occlusion occlusion_;
   Attention attention_;
-  TargetMemory target_;
+  PlaceMemory target_;
   Surroundings around_;
 };
 

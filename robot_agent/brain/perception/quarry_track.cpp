@@ -1,6 +1,7 @@
 #include "robot_agent/brain/perception/quarry_track.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace tacit {
 
@@ -22,6 +23,13 @@ std::optional<QuarryTrack::Motion> QuarryTrack::motion() const {
   const double scale = 1.0 / static_cast<double>(steps);
   return Motion{scale * (newest.quarry_m - oldest.quarry_m),
                 scale * (newest.self_m - oldest.self_m)};
+}
+
+void QuarryTrack::resume(const Record& record) {
+  assert(fits(record));
+  fixes_ = record.fixes;
+  count_ = record.count;
+  last_tick_ = record.last_tick;
 }
 
 bool QuarryTrack::continues(Tick tick, const OdometryVec& quarry_m) const {

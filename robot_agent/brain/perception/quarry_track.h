@@ -26,6 +26,18 @@ class QuarryTrack {
     OdometryVec self_m_per_tick;
   };
 
+  /// Where the quarry and the robot were at one tick.
+  struct Fix {
+    OdometryVec quarry_m;
+    OdometryVec self_m;
+  };
+  /// All that a track remembers.
+  struct Record {
+    std::vector<Fix> fixes;   ///< A ring.
+    std::uint64_t count = 0;  ///< Fixes of this track, also those overwritten.
+    Tick last_tick = 0;
+  };
+
   explicit QuarryTrack(const Config& config);
 
   /// Notes where the quarry and the robot are. A tick that does not follow the last one begins a
@@ -34,12 +46,15 @@ class QuarryTrack {
   /// Empty until the quarry has been seen in two successive ticks.
   [[nodiscard]] std::optional<Motion> motion() const;
 
- private:
-  struct Fix {
-    OdometryVec quarry_m;
-    OdometryVec self_m;
-  };
+  [[nodiscard]] Record record() const { return {fixes_, count_, last_tick_}; }
+  /// Whether the record is one of a window of this length.
+  [[nodiscard]] bool fits(const Record& record) const {
+    return record.fixes.size() == fixes_.size();
+  }
+  /// Goes on from a record that fits.
+  void resume(const Record& record);
 
+ private:
   [[nodiscard]] bool continues(Tick tick, const OdometryVec& quarry_m) const;
   [[nodiscard]] const Fix& fix(std::uint64_t number) const {
     return fixes_[number % fixes_.size()];

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "idl/types/percept.h"
+#include "robot_agent/brain/perception/quarry_track.h"
+#include "robot_agent/brain/perception/thing.h"
 
 namespace tacit {
 
@@ -23,20 +27,45 @@ struct EnemyGroup {
   Seen nearest;  ///< The member nearest to this robot.
 };
 
+/// The nearest thing of a class; infinitely far while none is known.
+struct Nearest {
+  BodyVec offset_m;
+  double squared_range_m2 = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool known() const {
+    return squared_range_m2 < std::numeric_limits<double>::infinity();
+  }
+  [[nodiscard]] bool within(double range_m) const { return squared_range_m2 <= range_m * range_m; }
+};
+
 /// A percept made ready for thinking: sorted by kind, measured, and completed by memory.
 ///
-/// Valid until the next percept; the order of the lists carries no meaning.
+/// Valid until the next percept; the order of the lists carries no meaning. A guard's and a
+/// forager's perception each fill their part and leave the rest empty.
 struct Surroundings {
   Tick tick = 0;
   OdometryPose odometry;
+  std::span<const SeenObstacle> obstacles;
+  std::vector<Seen> teammates;  ///< A forager's: the able ones in reach.
+
+  // A guard's.
   std::optional<BodyVec> target_m;  ///< Seen or remembered; empty until first seen.
-  std::vector<Seen> teammates;
   std::vector<Seen> enemies;
   std::vector<EnemyGroup> groups;
   /// The nearest of `groups` that is open, that is, not occluded by a teammate; null when there
   /// is none.
   const EnemyGroup* open_group = nullptr;
-  std::span<const SeenObstacle> obstacles;
+
+  // A forager's.
+  bool able = true;
+  bool holding = false;
+  Deeds deeds;
+  std::array<Nearest, kThings> nearest;
+  std::optional<QuarryTrack::Motion> quarry;  ///< Of the nearest enemy, while there is a track.
+
+  [[nodiscard]] const Nearest& nearest_of(Thing thing) const {
+    return nearest[static_cast<std::size_t>(thing)];
+  }
 };
 
 /// Whether `a` is nearer than `b`. Equal ranges are told apart by position, so that the answer to

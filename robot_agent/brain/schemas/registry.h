@@ -11,17 +11,13 @@
 #include "robot_agent/brain/schemas/intercept_enemies.h"
 #include "robot_agent/brain/schemas/move_to_target.h"
 #include "robot_agent/brain/schemas/noise.h"
+#include "robot_agent/brain/type_list.h"
 
 namespace tacit {
 
-/// A list of types, as a value.
-template <class... Types>
-struct TypeList {
-  static constexpr std::size_t kSize = sizeof...(Types);
-};
-
-/// All motor schemas. A new one needs its file pair, its test and its name here; its parameters
-/// and its gains in every assemblage follow.
+/// The motor schemas of a guard. A new one needs its file pair, its test and its name here; its
+/// parameters and its gains in every assemblage follow. (Those that automata use stand in
+/// `fsa/schema_use.cpp`.)
 using SchemaTypes = TypeList<MoveToTarget, InterceptEnemies, AvoidSoldiers, AvoidObstacles, Noise>;
 
 static_assert(SchemaTypes::kSize <= Telemetry::kMaxShares);

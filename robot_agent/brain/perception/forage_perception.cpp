@@ -1,0 +1,89 @@
+#include "robot_agent/brain/perception/forage_perception.h"
+
+namespace tacit {
+namespace {
+
+// Equal ranges are told apart by position, so that the order of the sightings does not matter.
+bool nearer(const Nearest& a, const Nearest& b) {
+  if (a.squared_range_m2 != b.squared_range_m2) return a.squared_range_m2 < b.squared_range_m2;
+  if (a.offset_m.x() != b.offset_m.x()) return a.offset_m.x() < b.offset_m.x();
+  return a.offset_m.y() < b.offset_m.y();
+}
+
+}  // namespace
+
+ForagePerception::ForagePerception(double teammate_reach_m, const QuarryTrack::Config& track)
+    : squared_reach_m2_(teammate_reach_m * teammate_reach_m), track_(track) {
+  around_.teammates.reserve(Percept::kMaxSightings);
+}
+
+const Surroundings& ForagePerception::look(const Percept& percept) {
+  around_.tick = percept.tick;
+  around_.odometry = percept.odometry;
+  around_.obstacles = percept.obstacles;
+  around_.able = percept.able;
+  around_.holding = percept.holding;
+  around_.deeds = percept.deeds;
+  sort(percept);
+  complete_base();
+  follow_enemy();
+  return around_;
+}
+
+void ForagePerception::resume(const Memory& memory) {
+  track_.resume(memory.track);
+  base_.resume(memory.base_m);
+}
+
+void ForagePerception::sort(const Percept& percept) {
+  around_.nearest = {};
+  around_.teammates.clear();
+  const auto note = [this](Thing thing, const Nearest& seen) {
+    Nearest& best = around_.nearest[static_cast<std::size_t>(thing)];
+    if (nearer(seen, best)) best = seen;
+  };
+  for (const Sighting& sighting : percept.sightings) {
+    const Nearest seen{sighting.offset_m, sighting.offset_m.squared_norm()};
+    switch (sighting.kind) {
+      case Kind::Mine:
+        note(Thing::Mine, seen);
+        break;
+      case Kind::Base:
+        note(Thing::Base, seen);
+        break;
+      case Kind::Enemy:
+        note(Thing::Enemy, seen);
+        break;
+      case Kind::Teammate:
+        if (sighting.colour == Colour::Yellow) {
+          note(Thing::Disabled, seen);
+        } else if (seen.squared_range_m2 < squared_reach_m2_) {
+          around_.teammates.push_back({seen.offset_m, std::sqrt(seen.squared_range_m2), true});
+        }
+        break;
+      case Kind::Target:
+        break;
+    }
+  }
+}
+
+void ForagePerception::complete_base() {
+  Nearest& base = around_.nearest[static_cast<std::size_t>(Thing::Base)];
+  if (base.known()) {
+    base_.see(around_.odometry, base.offset_m);
+  } else if (const auto remembered_m = base_.from(around_.odometry)) {
+    base = {*remembered_m, remembered_m->squared_norm()};
+  }
+}
+
+void ForagePerception::follow_enemy() {
+  around_.quarry.reset();
+  const Nearest& enemy = around_.nearest_of(Thing::Enemy);
+  if (!enemy.known()) return;
+  const OdometryPose& own = around_.odometry;
+  track_.note(around_.tick, own.position_m + from_body<OdometryFrame>(own.heading, enemy.offset_m),
+              own.position_m);
+  around_.quarry = track_.motion();
+}
+
+}  // namespace tacit
