@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+#include "robot_agent/brain/perception/surroundings.h"
+
+namespace tacit {
+
+/// Always fires.
+struct Immediate {
+  static constexpr std::string_view kName = "Immediate";
+
+  [[nodiscard]] bool holds(const Surroundings& /*around*/) const { return true; }
+};
+
+}  // namespace tacit
