@@ -13,4 +13,10 @@ namespace tacit {
   return {digits.data(), end};
 }
 
+/// The same for JSON, whose readers take "-0" for a whole number without a sign.
+[[nodiscard]] inline std::string json_number(double value) {
+  std::string text = shortest(value);
+  return text == "-0" ? "-0.0" : text;
+}
+
 }  // namespace tacit

@@ -90,7 +90,7 @@ const LinkGraph& table() {
       {"topics", {"types"}},
       {"wire", {"fastrtps", "fastcdr"}},
       {"bus", {"types", "topics", "wire", "Threads::Threads", "spdlog::spdlog"}},
-      {"brain", {"types"}},
+      {"brain", {"types", "nlohmann_json::nlohmann_json"}},
       {"world", {"types", "PkgConfig::BULLET"}},
       {"metrics", {"types"}},
       {"record",
