@@ -12,6 +12,8 @@
 
 namespace tacit {
 
+class Mind;
+
 /// A robot's mind: a function from what it senses now, and what it remembers, to what it does.
 ///
 /// Pure: no clock, no thread, no file, no communication. Two brains with the same configuration,
@@ -27,8 +29,8 @@ class Brain {
   /// The answer to `percept`; call once per tick, ticks ascending.
   [[nodiscard]] Command decide(const Percept& percept);
 
-  /// Writes what went on in the last decision into `out` (`robot`, `tick`, `learner`, `situation`,
-  /// `shares`); the counters are the process's and stay as they are.
+  /// Writes what went on in the last decision into `out`; the counters are the process's and stay
+  /// as they are.
   void report(Telemetry& out) const;
 
   /// What has been learned and where the brain stands, so that it can go on after a crash.
@@ -47,7 +49,6 @@ class Brain {
   void inherit(std::string_view policy, std::string_view name);
 
  private:
-  class Mind;
   std::unique_ptr<Mind> mind_;
 };
 

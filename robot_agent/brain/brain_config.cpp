@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "idl/types/config_error.h"
+#include "robot_agent/brain/forage_config.h"
 #include "robot_agent/brain/shortest.h"
 
 namespace tacit {
@@ -78,30 +79,9 @@ Gains guard_gains(double move_to_target, double intercept) {
   return gains;
 }
 
-}  // namespace
-
-Gains static1_gains() { return guard_gains(0.4, 1.0); }
-
-Gains static2_gains() { return guard_gains(1.0, 1.0); }
-
-Gains crowd_gains() {
-  Gains gains;
-  gains.of<MoveToTarget>() = 1.0;
-  gains.of<AvoidSoldiers>() = 1.0;
-  gains.of<AvoidObstacles>() = 1.0;
-  gains.of<Noise>() = 0.3;
-  return gains;
-}
-
-LearningMomentum::Config learning_momentum_config() {
-  LearningMomentum::Config config;
-  config.initial = guard_gains(1.0, 0.5);
-  return config;
-}
-
-void describe(BrainConfig& config, ParameterVisitor& visitor) {
+void describe_guard(BrainConfig& config, ParameterVisitor& visitor) {
   visitor.section("brain", "How each robot of the team decides.");
-  visitor.choice("learner", config.learner, kLearners,
+  visitor.choice("learner", config.learner, kGuardLearners,
                  {"",
                   "What sets the gains: fixed weights (static1, static2), learning momentum (lm), "
                   "or wandering to a goal without a thought of enemies (crowd) [paper]."});
@@ -127,14 +107,63 @@ void describe(BrainConfig& config, ParameterVisitor& visitor) {
   describe(config.lm, visitor);
 }
 
-void check(const BrainConfig& config) {
-  BrainConfig copy = config;
-  RangeCheck ranges;
-  describe(copy, ranges);
+void check_guard(const BrainConfig& config) {
   for_each_schema([&]<class S>() {
     static_cast<void>(make_schema<S>(config.schemas, Self{RobotId{1}, 0}));
   });
   static_cast<void>(LearningMomentum(config.lm, config.situation, Occlusion(config.occlusion)));
+}
+
+}  // namespace
+
+Gains static1_gains() { return guard_gains(0.4, 1.0); }
+
+Gains static2_gains() { return guard_gains(1.0, 1.0); }
+
+Gains crowd_gains() {
+  Gains gains;
+  gains.of<MoveToTarget>() = 1.0;
+  gains.of<AvoidSoldiers>() = 1.0;
+  gains.of<AvoidObstacles>() = 1.0;
+  gains.of<Noise>() = 0.3;
+  return gains;
+}
+
+LearningMomentum::Config learning_momentum_config() {
+  LearningMomentum::Config config;
+  config.initial = guard_gains(1.0, 0.5);
+  return config;
+}
+
+BrainConfig brain_defaults(MissionKind mission) {
+  switch (mission) {
+    case MissionKind::Guard:
+      return {};
+    case MissionKind::Forage:
+      return forage_defaults();
+  }
+  return {};
+}
+
+void describe(BrainConfig& config, ParameterVisitor& visitor) {
+  switch (config.mission) {
+    case MissionKind::Guard:
+      return describe_guard(config, visitor);
+    case MissionKind::Forage:
+      return describe_forage(config, visitor);
+  }
+}
+
+void check(const BrainConfig& config) {
+  BrainConfig copy = config;
+  RangeCheck ranges;
+  describe(copy, ranges);
+  switch (config.mission) {
+    case MissionKind::Guard:
+      return check_guard(config);
+    case MissionKind::Forage:
+      return check_forage(config);
+  }
 }
 
 }  // namespace tacit

@@ -7,10 +7,13 @@
 #include "idl/types/mission_kind.h"
 #include "idl/types/parameters.h"
 #include "robot_agent/brain/assemblage/actuator.h"
+#include "robot_agent/brain/learning/heterogeneous.h"
 #include "robot_agent/brain/learning/learning_momentum.h"
+#include "robot_agent/brain/learning/q_roles.h"
 #include "robot_agent/brain/perception/enemy_groups.h"
 #include "robot_agent/brain/perception/occlusion.h"
 #include "robot_agent/brain/perception/situation.h"
+#include "robot_agent/brain/roles/roles_config.h"
 #include "robot_agent/brain/schemas/registry.h"
 
 namespace tacit {
@@ -33,15 +36,25 @@ inline constexpr std::array<std::string_view, 3> kForageLearners{"q", "homogeneo
 struct BrainConfig {
   MissionKind mission = MissionKind::Guard;
   std::string learner = "lm";  ///< One of the mission's.
+
+  // Of both missions.
+  SchemaConfigs schemas;
+  Actuator::Config actuator;
+
+  // A guard's.
   EnemyGroups::Config enemy_groups;
   Occlusion::Config occlusion;
   SituationConfig situation;
-  SchemaConfigs schemas;
-  Actuator::Config actuator;
   Gains static1 = static1_gains();
   Gains static2 = static2_gains();
   Gains crowd = crowd_gains();
   LearningMomentum::Config lm = learning_momentum_config();
+
+  // A forager's.
+  RolesConfig roles;
+  QuarryTrack::Config pursuit{.average_ticks = 5, .gate_m = 0.75};
+  Heterogeneous::Config heterogeneous;
+  QRoles::Config q;
 
   /// The parameters of schema `S`.
   template <class S>
