@@ -55,10 +55,10 @@ std::string number_of_line(const std::string& text, std::size_t at) {
   return std::to_string(1 + std::count(text.begin(), here, '\n'));
 }
 
-/// Bullet counts as pure here; another rule holds it in its place.
+/// Bullet and JSON count as pure here; another rule holds them in their places.
 bool is_pure(const std::string& header) {
   return kPureHeaders.contains(header) || header.starts_with("<bt") ||
-         header.starts_with("<boost/math/");
+         header.starts_with("<boost/math/") || header == "<nlohmann/json.hpp>";
 }
 
 /// A family of headers and the one place for them.
@@ -77,6 +77,10 @@ const std::vector<Place>& places() {
       {std::regex(R"(<toml\+\+/.*)"), std::regex(R"(idl/scenario/document\.cpp)"), "toml++"},
       {std::regex(R"(<SQLiteCpp/.*|<sqlite3.*|<openssl/.*)"),
        std::regex(R"(console/record/.*|idl/scenario/digest\.cpp|tests/.*)"), "storage"},
+      {std::regex(R"(<nlohmann/.*)"),
+       std::regex(R"(robot_agent/brain/learning/policy_text\.cpp|console/record/.*|)"
+                  R"(deploy/tacit/.*|tests/.*)"),
+       "JSON"},
   };
   return kPlaces;
 }
