@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "idl/types/config_error.h"
 #include "robot_agent/brain/brain.h"
@@ -65,26 +66,32 @@ class Notes final : public ParameterVisitor {
   std::string section_;
 };
 
-Notes noted() {
-  BrainConfig config;
+Notes noted(MissionKind mission = MissionKind::Guard) {
+  BrainConfig config = brain_defaults(mission);
   Notes notes;
   describe(config, notes);
   return notes;
 }
 
-TEST(BrainConfig, DescribesEachParameterOnce) {
-  const Notes found = noted();
+class EveryMission : public ::testing::TestWithParam<MissionKind> {};
+
+INSTANTIATE_TEST_SUITE_P(BrainConfig, EveryMission,
+                         ::testing::Values(MissionKind::Guard, MissionKind::Forage),
+                         [](const auto& mission) { return std::string(name(mission.param)); });
+
+TEST_P(EveryMission, DescribesEachParameterOnce) {
+  const Notes found = noted(GetParam());
   for (const auto& [name, note] : found.notes) EXPECT_EQ(found.notes.count(name), 1U) << name;
   for (const auto& [name, count] : found.sections) EXPECT_EQ(count, 1) << name;
 }
 
-TEST(BrainConfig, HasDefaultsWithinTheirRanges) {
-  const Notes found = noted();
+TEST_P(EveryMission, HasDefaultsWithinTheirRanges) {
+  const Notes found = noted(GetParam());
   for (const auto& [name, note] : found.notes) EXPECT_TRUE(note.in_range) << name;
 }
 
-TEST(BrainConfig, NamesTheSourceOfEveryParameter) {
-  const Notes found = noted();
+TEST_P(EveryMission, NamesTheSourceOfEveryParameter) {
+  const Notes found = noted(GetParam());
   for (const auto& [name, note] : found.notes) {
     const bool sourced = note.doc.ends_with("[paper].") || note.doc.ends_with("[MissionLab].") ||
                          note.doc.find("[ours: ") != std::string::npos;
@@ -101,6 +108,27 @@ TEST(BrainConfig, DescribesAGainPerSchemaAndAssemblage) {
       EXPECT_EQ(found.notes.count(name), 1U) << name;
     });
   }
+}
+
+std::set<std::string> sections(MissionKind mission) {
+  std::set<std::string> names;
+  for (const auto& [name, count] : noted(mission).sections) names.insert(name);
+  return names;
+}
+
+TEST(BrainConfig, DescribesTheSectionsOfItsMissionAlone) {
+  EXPECT_EQ(
+      sections(MissionKind::Guard),
+      (std::set<std::string>{
+          "brain", "brain.actuator", "brain.avoid_obstacles", "brain.avoid_soldiers", "brain.crowd",
+          "brain.enemy_groups", "brain.intercept_enemies", "brain.lm", "brain.lm.initial",
+          "brain.lm.max", "brain.lm.min", "brain.move_to_target", "brain.noise", "brain.occlusion",
+          "brain.situation", "brain.static1", "brain.static2"}));
+  EXPECT_EQ(
+      sections(MissionKind::Forage),
+      (std::set<std::string>{"brain", "brain.actuator", "brain.avoid_obstacles",
+                             "brain.avoid_soldiers", "brain.heterogeneous", "brain.noise",
+                             "brain.pursue_enemy", "brain.q", "brain.q.rewards", "brain.roles"}));
 }
 
 TEST(BrainConfig, LetsTheStaticSoldiersDifferInMoveToTargetAlone) {
@@ -158,6 +186,69 @@ TEST(BrainConfig, IsRefusedWhenALowerBoundLiesAboveTheInitialGain) {
   BrainConfig config;
   config.lm.min.move_to_target = 2.0;
   EXPECT_NE(refusal(config).find("brain.lm.initial.move_to_target is 1"), std::string::npos);
+}
+
+BrainConfig forage() { return brain_defaults(MissionKind::Forage); }
+
+TEST(ForageConfig, IsAcceptedAsItIsWithEachOfItsLearners) {
+  for (const std::string_view learner : kForageLearners) {
+    BrainConfig config = forage();
+    config.learner = learner;
+    EXPECT_EQ(refusal(config), "accepted");
+  }
+}
+
+TEST(ForageConfig, IsRefusedWithALearnerOfGuards) {
+  BrainConfig config = forage();
+  config.learner = "lm";
+  EXPECT_EQ(refusal(config), "brain.learner is lm, wanted one of q homogeneous heterogeneous");
+}
+
+TEST(ForageConfig, IsRefusedWithARateOutOfRangeOrNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (double QLearner::Config::*rate :
+       {&QLearner::Config::alpha, &QLearner::Config::alpha_decay, &QLearner::Config::epsilon,
+        &QLearner::Config::epsilon_decay, &QLearner::Config::gamma}) {
+    for (const double value : {-0.1, 1.1, nan}) {
+      BrainConfig config = forage();
+      config.q.learner.*rate = value;
+      EXPECT_TRUE(refusal(config).starts_with("brain.q.")) << refusal(config);
+    }
+  }
+}
+
+TEST(ForageConfig, IsRefusedWithRewardsAndInitialValuesThatAreNone) {
+  BrainConfig config = forage();
+  config.q.rewards.aid = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refusal(config), "brain.q.rewards.aid is inf, wanted -1e+06 to 1e+06");
+  config = forage();
+  config.q.learner.initial_low = 3.0;
+  EXPECT_EQ(refusal(config),
+            "brain.q.initial_low is 3, wanted at most brain.q.initial_high, which is 2");
+}
+
+TEST(ForageConfig, IsRefusedWithATimeOutOfZero) {
+  BrainConfig config = forage();
+  config.q.action_timeout_ticks = 0;
+  EXPECT_TRUE(refusal(config).starts_with("brain.q.action_timeout_ticks is 0"));
+}
+
+TEST(ForageConfig, IsRefusedWithAnEmptyPatternAlsoOfAnUnusedLearner) {
+  BrainConfig config = forage();
+  config.heterogeneous = {.foragers = 0, .soldiers = 0, .mechanics = 0};
+  EXPECT_TRUE(refusal(config).starts_with("brain.heterogeneous: "));
+}
+
+TEST(ForageConfig, IsRefusedWhenASchemaOfARoleCannotBe) {
+  BrainConfig config = forage();
+  config.of<AvoidObstacles>().margin_m = 2.0;
+  EXPECT_NE(refusal(config).find("brain.avoid_obstacles: margin_m is 2"), std::string::npos);
+}
+
+TEST(ForageConfig, IsRefusedWhenNearLiesBeyondReach) {
+  BrainConfig config = forage();
+  config.roles.near_base_m = 1.5;
+  EXPECT_TRUE(refusal(config).starts_with("brain.roles.near_base_m is 1.5 m"));
 }
 
 }  // namespace
