@@ -70,5 +70,39 @@ void LearningMomentumAmong100(benchmark::State& state) {
 }
 BENCHMARK(LearningMomentumAmong100);
 
+Percept forage_percept(std::initializer_list<Kind> others) {
+  Percept percept;
+  Stream chance(7, "forage scene");
+  const auto see = [&](Kind kind, Colour colour) {
+    percept.sightings.push_back({kind, colour, somewhere(chance, 20.0), 0.2});
+  };
+  for (int i = 0; i < 30; ++i) see(Kind::Mine, Colour::Orange);
+  for (int i = 0; i < 11; ++i) see(Kind::Teammate, Colour::Blue);
+  see(Kind::Base, Colour::Purple);
+  for (const Kind kind : others) see(kind, Colour::Red);
+  for (int i = 0; i < 2; ++i) percept.obstacles.push_back({somewhere(chance, 4.0), 1.0});
+  return percept;
+}
+
+void forage(benchmark::State& state, const char* learner, std::initializer_list<Kind> others) {
+  BrainConfig config = brain_defaults(MissionKind::Forage);
+  config.learner = learner;
+  Brain brain(config, RobotId{1}, 1);
+  Percept seen = forage_percept(others);
+  for (auto _ : state) {
+    ++seen.tick;
+    benchmark::DoNotOptimize(brain.decide(seen));
+  }
+}
+
+void ForagerAmong30Mines(benchmark::State& state) { forage(state, "homogeneous", {}); }
+BENCHMARK(ForagerAmong30Mines);
+
+void SoldierAmong30Mines(benchmark::State& state) { forage(state, "homogeneous", {Kind::Enemy}); }
+BENCHMARK(SoldierAmong30Mines);
+
+void QLearnerAmong30Mines(benchmark::State& state) { forage(state, "q", {}); }
+BENCHMARK(QLearnerAmong30Mines);
+
 }  // namespace
 }  // namespace tacit
