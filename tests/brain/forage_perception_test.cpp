@@ -42,6 +42,8 @@ TEST(ForagePerception, PicksTheSameOfTwoEquallyNearInAnyOrder) {
   ForageEyes eyes;
   const BodyVec once = eyes.look({mine(3, 4), mine(4, 3)}).nearest_of(Thing::Mine).offset_m;
   EXPECT_EQ(eyes.look({mine(4, 3), mine(3, 4)}).nearest_of(Thing::Mine).offset_m, once);
+  const BodyVec level = eyes.look({mine(3, 4), mine(-3, 4)}).nearest_of(Thing::Mine).offset_m;
+  EXPECT_EQ(eyes.look({mine(-3, 4), mine(3, 4)}).nearest_of(Thing::Mine).offset_m, level);
 }
 
 TEST(ForagePerception, KeepsAbleTeammatesInReachToAvoid) {

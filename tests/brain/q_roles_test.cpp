@@ -25,10 +25,15 @@ class Robot {
  public:
   Robot(const QRoles::Config& config, const std::array<double, kRoles>& worth)
       : roles_(config, Self{RobotId{3}, 1}) {
-    PolicyTable policy = parse_policy(roles_.policy(), "own");
-    for (std::size_t cell = 0; cell < policy.table.q.size(); ++cell) {
-      policy.table.q[cell] = worth[cell % kRoles];
+    std::vector<double> q;
+    for (std::size_t state = 0; state < kInternalStates; ++state) {
+      q.insert(q.end(), worth.begin(), worth.end());
     }
+    inherit(q);
+  }
+  void inherit(const std::vector<double>& q) {
+    PolicyTable policy = parse_policy(roles_.policy(), "own");
+    policy.table.q = q;
     roles_.inherit(to_text(policy), "own");
   }
 
@@ -173,6 +178,17 @@ TEST(QRoles, QueryOncePerDeedThatIsWorthSomething) {
                    2.0 + kAlpha * (20.0 + 0.8 * 2.0 - 2.0));
   EXPECT_DOUBLE_EQ(mechanic.q({}, Role::Mechanic, Role::Mechanic),
                    2.0 + kAlpha * (10.0 + 0.8 * 2.0 - 2.0));
+}
+
+TEST(QRoles, QueryForAllDeedsOfATickFromTheStateThatItFound) {
+  Robot robot(greedy(), kMechanicsWorld);
+  std::vector<double> q = robot.table().q;
+  const std::size_t as_mechanic = internal_state({}, Role::Mechanic) * kRoles;
+  q[as_mechanic + index(Role::Forager)] = 50.0;
+  robot.inherit(q);
+  EXPECT_EQ(robot.live({}), Role::Mechanic);
+  EXPECT_EQ(robot.live({}, {.stored = true, .revived = true}), Role::Forager);
+  EXPECT_EQ(robot.table().visits[as_mechanic + index(Role::Forager)], 2U);
 }
 
 TEST(QRoles, QueryOnceOnRevivalWhateverElseHappened) {
