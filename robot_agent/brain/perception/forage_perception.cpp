@@ -10,6 +10,23 @@ bool nearer(const Nearest& a, const Nearest& b) {
   return a.offset_m.y() < b.offset_m.y();
 }
 
+std::optional<Thing> thing_in(const Sighting& sighting) {
+  switch (sighting.kind) {
+    case Kind::Mine:
+      return Thing::Mine;
+    case Kind::Base:
+      return Thing::Base;
+    case Kind::Enemy:
+      return Thing::Enemy;
+    case Kind::Teammate:
+      if (sighting.colour == Colour::Yellow) return Thing::Disabled;
+      return std::nullopt;
+    case Kind::Target:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 ForagePerception::ForagePerception(double teammate_reach_m, const QuarryTrack::Config& track)
@@ -38,31 +55,13 @@ void ForagePerception::resume(const Memory& memory) {
 void ForagePerception::sort(const Percept& percept) {
   around_.nearest = {};
   around_.teammates.clear();
-  const auto note = [this](Thing thing, const Nearest& seen) {
-    Nearest& best = around_.nearest[static_cast<std::size_t>(thing)];
-    if (nearer(seen, best)) best = seen;
-  };
   for (const Sighting& sighting : percept.sightings) {
     const Nearest seen{sighting.offset_m, sighting.offset_m.squared_norm()};
-    switch (sighting.kind) {
-      case Kind::Mine:
-        note(Thing::Mine, seen);
-        break;
-      case Kind::Base:
-        note(Thing::Base, seen);
-        break;
-      case Kind::Enemy:
-        note(Thing::Enemy, seen);
-        break;
-      case Kind::Teammate:
-        if (sighting.colour == Colour::Yellow) {
-          note(Thing::Disabled, seen);
-        } else if (seen.squared_range_m2 < squared_reach_m2_) {
-          around_.teammates.push_back({seen.offset_m, std::sqrt(seen.squared_range_m2), true});
-        }
-        break;
-      case Kind::Target:
-        break;
+    if (const auto thing = thing_in(sighting)) {
+      Nearest& best = around_.nearest[static_cast<std::size_t>(*thing)];
+      if (nearer(seen, best)) best = seen;
+    } else if (sighting.kind == Kind::Teammate && seen.squared_range_m2 < squared_reach_m2_) {
+      around_.teammates.push_back({seen.offset_m, std::sqrt(seen.squared_range_m2), true});
     }
   }
 }
