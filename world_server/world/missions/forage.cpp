@@ -34,6 +34,9 @@ Forage::Forage(Stage& stage)
 }
 
 void Forage::set_out(Stage& stage) {
+  if (stage.tick() == 0) {
+    stage.report(ForageBegun{mines_.left()});
+  }
   for (std::size_t i = 0; i < stage.robots(); ++i) {
     was_able_[i] = static_cast<std::uint8_t>(stage.able(i));
   }
