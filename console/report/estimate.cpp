@@ -50,6 +50,14 @@ std::optional<Difference> tested(double value, double variance, double degrees) 
   return Difference{{value, value - reach, value + reach}, 2.0 * tail};
 }
 
+std::vector<double> differences(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> differences(std::min(a.size(), b.size()));
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    differences[i] = a[i] - b[i];
+  }
+  return differences;
+}
+
 }  // namespace
 
 std::optional<double> mean(std::span<const double> values) {
@@ -97,12 +105,14 @@ std::optional<Difference> welch_difference(std::span<const double> a, std::span<
 }
 
 std::optional<Difference> paired_difference(std::span<const double> a, std::span<const double> b) {
-  std::vector<double> differences(std::min(a.size(), b.size()));
-  for (std::size_t i = 0; i < differences.size(); ++i) {
-    differences[i] = a[i] - b[i];
-  }
-  const auto sample = sample_of(differences);
+  const auto sample = sample_of(differences(a, b));
   return sample ? tested(sample->mean, sample->variance_of_mean, sample->degrees) : std::nullopt;
+}
+
+std::optional<double> paired_effect(std::span<const double> a, std::span<const double> b) {
+  const std::vector<double> pairs = differences(a, b);
+  const std::optional<double> deviation = standard_deviation(pairs);
+  return deviation && *deviation > 0.0 ? std::optional(*mean(pairs) / *deviation) : std::nullopt;
 }
 
 std::optional<Estimate> ratio_estimate(std::span<const double> a, std::span<const double> b) {

@@ -37,6 +37,11 @@ struct Difference {
 [[nodiscard]] std::optional<Difference> paired_difference(std::span<const double> a,
                                                           std::span<const double> b);
 
+/// The mean of the differences a[i] - b[i] in standard deviations of theirs (Cohen's d_z, 1988).
+/// Absent as `paired_difference` is.
+[[nodiscard]] std::optional<double> paired_effect(std::span<const double> a,
+                                                  std::span<const double> b);
+
 /// mean(a) / mean(b) for independent samples, by Fieller's theorem (1954) with the degrees of
 /// freedom of Welch and Satterthwaite. Absent when a sample has fewer than two values, or when
 /// mean(b) cannot be told from 0, so that no interval bounds the ratio.

@@ -104,6 +104,15 @@ TEST(PairedDifference, NeedsTwoPairsThatDifferDifferently) {
   EXPECT_FALSE(paired_difference(std::array{1.0, 2.0}, std::array{2.0, 3.0}).has_value());
 }
 
+// 1.58 / 1.2299593, the mean of the published differences in standard deviations of theirs.
+TEST(PairedEffect, IsTheMeanDifferenceInStandardDeviations) {
+  EXPECT_NEAR(paired_effect(kDrug2, kDrug1).value(), 1.2845585, 1e-6);
+}
+
+TEST(PairedEffect, OfDifferencesThatDoNotVaryIsAbsent) {
+  EXPECT_FALSE(paired_effect(std::array{1.0, 2.0}, std::array{0.0, 1.0}).has_value());
+}
+
 TEST(RatioEstimate, OverAConstantIsTheMeanEstimateDividedByIt) {
   const Estimate over_four = ratio_estimate(kDrug2, std::array{4.0, 4.0}).value();
   const Estimate plain = mean_estimate(kDrug2).value();

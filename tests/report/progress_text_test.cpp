@@ -22,9 +22,7 @@ TEST(ProgressText, TellsHowFarHowFastAndHowWell) {
             "tick 4500/9000  ETA 1:15  60 ticks/s (6.0x)  created 40 intercepted 35 successful 1");
 }
 
-TEST(ProgressText, LeavesOutWhatIsNotKnownYet) {
-  EXPECT_EQ(progress_text(Progress{}), "tick 0");
-}
+TEST(ProgressText, LeavesOutWhatIsNotKnownYet) { EXPECT_EQ(progress_text(Progress{}), "tick 0"); }
 
 Tally tally_of(std::initializer_list<Happening> happenings) {
   Tally tally;
@@ -40,9 +38,9 @@ TEST(StandingText, OfAGuardCountsEnemies) {
 }
 
 TEST(StandingText, OfForagersCountsMinesAndAbleRobots) {
-  const Tally tally = tally_of({ForageBegun{20}, MineStored{{1}, {4}, 19},
-                                RobotDisabled{{2}, Mishap::Mud}, RobotDisabled{{3}, Mishap::Enemy},
-                                RobotRevived{{2}, {1}}});
+  const Tally tally =
+      tally_of({ForageBegun{20}, MineStored{{1}, {4}, 19}, RobotDisabled{{2}, Mishap::Mud},
+                RobotDisabled{{3}, Mishap::Enemy}, RobotRevived{{2}, {1}}});
   EXPECT_EQ(standing_text(tally, 6), "mines left 19/20  able 5/6");
 }
 
