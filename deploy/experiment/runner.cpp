@@ -4,14 +4,15 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "console/metrics/tally.h"
-#include "console/record/sha256.h"
+#include "deploy/experiment/chain.h"
+#include "deploy/experiment/selection.h"
 #include "deploy/lockstep/setup.h"
-#include "deploy/lockstep/team.h"
+#include "idl/types/config_error.h"
 
 namespace tacit {
 namespace {
@@ -21,37 +22,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-/// What a run directory's event log and metrics would hold, without the directory.
-class Account {
- public:
-  void add(std::span<const Event> events) {
-    for (const Event& event : events) {
-      line_ = to_line(event);
-      line_ += '\n';
-      log_.add(line_);
-      tally_.add(event);
-      ++events_;
-    }
-  }
-  [[nodiscard]] RunOutcome outcome(double wall_s) const {
-    RunOutcome outcome;
-    outcome.complete = tally_.of<Length>().complete;
-    outcome.repeatable = true;
-    outcome.ticks = tally_.of<Length>().ticks;
-    outcome.events = events_;
-    outcome.wall_s = wall_s;
-    outcome.event_log_sha256 = log_.hex();
-    outcome.metrics = recorded(tally_);
-    return outcome;
-  }
-
- private:
-  std::string line_;
-  Sha256 log_;
-  Tally tally_;
-  std::uint64_t events_ = 0;
-};
 
 RunFacts facts(const Battery& battery, const PlannedRun& run, const Setup& setup) {
   return {run.key,
@@ -66,21 +36,65 @@ RunFacts facts(const Battery& battery, const PlannedRun& run, const Setup& setup
           utc_now()};
 }
 
-/// The runs that several workers take from and report to.
+/// The runs that are not there yet, each once: cells that come to the same scenario share them.
 class Queue {
  public:
-  Queue(const Battery& battery, RunStore& store, const RunnerOptions& options)
-      : battery_(battery), store_(store), options_(options), start_(Clock::now()) {
+  Queue(const std::vector<PlannedRun>& runs, const RunStore& store) {
     const std::vector<std::string> finished = store.finished_keys();
-    for (const PlannedRun& run : battery.runs()) {
-      if (!std::binary_search(finished.begin(), finished.end(), run.key)) {
-        open_.push_back(&run);
+    std::set<std::string> seen;
+    for (const PlannedRun& run : runs) {
+      if (!seen.insert(run.key).second) {
+        ++doubled_;
+      } else if (!std::binary_search(finished.begin(), finished.end(), run.key)) {
+        open_.push_back(run);
       }
     }
-    progress_.all = battery.runs().size();
-    progress_.done = progress_.resumed = progress_.all - open_.size();
+    there_ = seen.size() - open_.size();
   }
 
+  /// How many of the runs given are the same as another of them.
+  [[nodiscard]] std::size_t doubled() const { return doubled_; }
+  /// How many were there already.
+  [[nodiscard]] std::size_t there() const { return there_; }
+  [[nodiscard]] const PlannedRun* take() {
+    return next_ == open_.size() ? nullptr : &open_[next_++];
+  }
+
+ private:
+  std::vector<PlannedRun> open_;
+  std::size_t next_ = 0;
+  std::size_t there_ = 0;
+  std::size_t doubled_ = 0;
+};
+
+/// One sitting at a battery: workers that take runs and keep what comes of them.
+class Sitting {
+ public:
+  Sitting(const Battery& battery, RunStore& store, const RunnerOptions& options)
+      : battery_(battery), store_(store), options_(options), start_(Clock::now()) {
+    progress_.all = battery.runs().size() + held_out_count(battery);
+  }
+
+  /// True when all of `runs` are there. Throws what a worker threw.
+  bool make(const std::vector<PlannedRun>& runs) {
+    queue_ = Queue(runs, store_);
+    progress_.all -= queue_.doubled();
+    progress_.done += queue_.there();
+    progress_.resumed += queue_.there();
+    const std::size_t wanted = progress_.done - queue_.there() + runs.size() - queue_.doubled();
+    report();
+    std::vector<std::jthread> workers;
+    for (unsigned i = 0; i < std::max(1U, options_.workers); ++i) {
+      workers.emplace_back([this] { work(); });
+    }
+    workers.clear();
+    if (failure_) {
+      std::rethrow_exception(failure_);
+    }
+    return progress_.done == wanted;
+  }
+
+ private:
   void work() {
     while (const PlannedRun* run = take()) {
       try {
@@ -94,24 +108,10 @@ class Queue {
     }
   }
 
-  /// True when nothing is left to be done. Throws what a worker threw.
-  bool finish() {
-    if (failure_) {
-      std::rethrow_exception(failure_);
-    }
-    return progress_.done == progress_.all;
-  }
-
-  void tell() {
-    const std::lock_guard lock(mutex_);
-    report();
-  }
-
- private:
   const PlannedRun* take() {
     const std::lock_guard lock(mutex_);
     const bool stopped = options_.stop != nullptr && options_.stop->load();
-    return stopped || failure_ || next_ == open_.size() ? nullptr : open_[next_++];
+    return stopped || failure_ ? nullptr : queue_.take();
   }
 
   void keep(const RunRow& row) {
@@ -134,43 +134,48 @@ class Queue {
   const RunnerOptions& options_;
   Clock::time_point start_;
   std::mutex mutex_;
-  std::vector<const PlannedRun*> open_;
-  std::size_t next_ = 0;
+  Queue queue_{{}, store_};
   BatteryProgress progress_;
   std::exception_ptr failure_;
 };
+
+/// Throws ConfigError when a contest has no winner though all its runs are there.
+void require_winners(const Battery& battery, std::size_t held_out) {
+  if (held_out != held_out_count(battery)) {
+    throw ConfigError("[experiment] select_by = \"" + battery.config().select_by +
+                      "\", which no run of some scenario and team size has, wanted a metric of "
+                      "the mission");
+  }
+}
 
 }  // namespace
 
 std::optional<RunRow> make_run(const Battery& battery, const PlannedRun& run,
                                const std::atomic<bool>* stop) {
-  constexpr Tick kLook = 1024;
   const Clock::time_point start = Clock::now();
   const std::string text = battery.scenario(battery.cells()[run.cell], run.seed);
   ScenarioFile file = ScenarioFile::parse(text, "resolved scenario");
   const Setup setup = read_setup(file);
-  Team team(setup.world, setup.brain, seed(setup));
-  Account account;
-  for (const Tick last = last_tick(setup); team.tick() < last;) {
-    if (team.tick() % kLook == 0 && stop != nullptr && stop->load()) {
+  Chain chain(setup, {battery.config().episodes, evaluated(battery.config())});
+  while (!chain.done()) {
+    if (!chain.next([stop] { return stop != nullptr && stop->load(); })) {
       return std::nullopt;
     }
-    account.add(team.step());
   }
-  const Event ending = team.ending();
-  account.add({&ending, 1});
-  return RunRow{facts(battery, run, setup), account.outcome(seconds_since(start)), ""};
+  return RunRow{facts(battery, run, setup), chain.outcome(seconds_since(start)), ""};
 }
 
 bool run_battery(const Battery& battery, RunStore& store, const RunnerOptions& options) {
-  Queue queue(battery, store, options);
-  queue.tell();
-  std::vector<std::jthread> workers;
-  for (unsigned i = 0; i < std::max(1U, options.workers); ++i) {
-    workers.emplace_back([&queue] { queue.work(); });
+  Sitting sitting(battery, store, options);
+  if (!sitting.make(battery.runs())) {
+    return false;
   }
-  workers.clear();
-  return queue.finish();
+  if (battery.config().select_by.empty()) {
+    return true;
+  }
+  const std::vector<PlannedRun> held_out = held_out_runs(battery, store);
+  require_winners(battery, held_out.size());
+  return sitting.make(held_out);
 }
 
 }  // namespace tacit

@@ -19,7 +19,8 @@ std::vector<FitCell> cells(std::size_t blocks, double noise, const Decay& curve 
     for (const double x : {2.0, 4.0, 6.0, 8.0, 10.0, 12.0}) {
       FitCell cell{x, block, {}};
       for (int i = 0; i < 3; ++i) {
-        const double level = 40.0 * (static_cast<double>(block) - (blocks - 1) / 2.0);
+        const double level =
+            40.0 * (static_cast<double>(block) - static_cast<double>(blocks - 1) / 2.0);
         cell.values.push_back(curve.at(x) + level + noise * chance.normal());
       }
       all.push_back(cell);
