@@ -9,6 +9,7 @@ namespace tacit {
 /// Each adds one command to the command line. What it does runs while the command line is parsed
 /// and leaves its ending in `ending`, which outlives `app`. A ConfigError passes through.
 void add_run(CLI::App& app, Exit& ending);
+void add_learn(CLI::App& app, Exit& ending);
 void add_experiment(CLI::App& app, Exit& ending);
 void add_scenarios(CLI::App& app, Exit& ending);
 void add_policy(CLI::App& app, Exit& ending);

@@ -37,7 +37,7 @@ constexpr const char* kExamples = R"(Examples:
   tacit experiment guard_figures --report-only
 
 Stop it with Ctrl-C whenever you like: started again, it goes on where it was. The folder --out
-holds runs.db (every run), report.txt, report.json and a CSV file per table.
+holds runs.db (every run), report.txt, report.json, a CSV file per table and the figures (SVG).
 
 Exit codes: 0 done, 1 the machine failed, 2 bad input, 130 interrupted.)";
 
@@ -59,8 +59,11 @@ Battery read_battery(const std::string& name_or_file) {
   ExperimentConfig config;
   file.fill(config);
   file.refuse_unknown_sections();
-  const fs::path scenario = find_scenario(config.scenario);
-  return {config, scenario, std::string(version())};
+  std::vector<fs::path> scenarios;
+  for (const std::string& name : scenario_names(config)) {
+    scenarios.push_back(find_scenario(name));
+  }
+  return {config, scenarios, std::string(version())};
 }
 
 /// Shows how far a battery has come.
@@ -133,13 +136,16 @@ bool complete(const Battery& battery, RunStore& store, const ExperimentWish& wis
   return all_there;
 }
 
-void write_report(const std::vector<ReportTable>& tables, const fs::path& out) {
+void write_report(const Battery& battery, const RunStore& store, const fs::path& out) {
   std::string text;
   nlohmann::json all = nlohmann::json::object();
-  for (const ReportTable& each : tables) {
+  for (const ReportTable& each : summarize(battery, store)) {
     text += to_text(each.table) + '\n';
     all[each.name] = nlohmann::json::parse(to_json(each.table));
     write_whole_file(out / (each.name + ".csv"), to_csv(each.table));
+  }
+  for (const ReportFigure& each : draw(battery, store)) {
+    write_whole_file(out / (each.name + ".svg"), each.svg);
   }
   write_whole_file(out / "report.txt", text);
   write_whole_file(out / "report.json", all.dump(2) + '\n');
@@ -161,7 +167,7 @@ Exit experiment(const ExperimentWish& wish) {
         ", the same command goes on from there");
     return Exit::Interrupted;
   }
-  write_report(summarize(battery, store), out);
+  write_report(battery, store, out);
   print_report(out, wish.json);
   return Exit::Done;
 }

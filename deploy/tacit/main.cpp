@@ -36,6 +36,7 @@ Exit command_line(int argc, char** argv) {
   app.set_version_flag("--version", "tacit " + std::string(version()));
   app.require_subcommand(1);
   add_run(app, ending);
+  add_learn(app, ending);
   add_experiment(app, ending);
   add_scenarios(app, ending);
   add_verify(app, ending);

@@ -18,18 +18,6 @@ std::set<std::string> keys(const Battery& battery) {
   return keys;
 }
 
-TEST(Factor, IsReadWithBlanksAnywhere) {
-  const Factor factor = read_factor("  brain.learner=static1 ,lm,  static2 ");
-  EXPECT_EQ(factor.path, "brain.learner");
-  EXPECT_EQ(factor.values, (std::vector<std::string>{"static1", "lm", "static2"}));
-}
-
-TEST(Factor, IsRefusedWithoutAValueASectionOrBetweenTwoCommas) {
-  for (const char* text : {"brain.learner", "brain.learner =", "learner = lm", "a.b = 1,,2", ""}) {
-    EXPECT_THROW((void)read_factor(text), ConfigError) << text;
-  }
-}
-
 TEST(Battery, CrossesAllFactorsForEveryTeamSize) {
   const Battery battery = small_battery();
   std::set<std::string> seen;

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "console/record/sha256.h"
-#include "deploy/experiment/summary.h"
+#include "deploy/experiment/selection.h"
 #include "deploy/lockstep/setup.h"
 #include "deploy/lockstep/team.h"
 #include "tests/experiment/small_battery.h"
@@ -68,7 +70,7 @@ TEST_F(RunBattery, StoresTheHashOfTheLogThatATeamGives) {
   const tacit::Setup setup = read_setup(file);
   Team team(setup.world, setup.brain, seed(setup));
   std::string log;
-  while (team.tick() < last_tick(setup)) {
+  while (!team.done(last_tick(setup))) {
     for (const Event& event : team.step()) {
       log += to_line(event) + '\n';
     }
@@ -77,71 +79,58 @@ TEST_F(RunBattery, StoresTheHashOfTheLogThatATeamGives) {
   EXPECT_EQ(row->outcome.event_log_sha256, sha256_of_text(log));
 }
 
-/// A store filled by hand, so that every figure of the summary can be worked out on paper.
-class Summary : public testing::Test {
+/// Chains of which the best meet a rival on other seeds.
+class RunContest : public RunBattery {
  protected:
-  const Scratch folder;
-  Summary() {
-    for (const PlannedRun& run : battery.runs()) {
-      const Cell& cell = battery.cells()[run.cell];
-      const double learner = cell.levels[0].value == "lm" ? 3.0 : 0.0;
-      // Of no effect on a mean over two seeds, and other for one learner than for the other.
-      const double chance = (run.seed % 2 == 0 ? 0.5 : -0.5) * (learner > 0 ? 0.9 : 1.0);
-      RunRow row;
-      row.facts.key = run.key;
-      row.outcome.complete = true;
-      row.outcome.metrics = {
-          {"mean_death_distance_m", 30.0 * static_cast<double>(cell.robots) + learner + chance},
-          {"intercept_percent", 100.0}};
-      store.add(row);
-    }
-  }
-
-  const Battery battery = small_battery();
-  RunStore store{folder / "runs.db"};
+  const Battery battery = small_battery(small_contest());
+  // Two cells and a rival with three chains each, then a winner and the rival with two each.
+  static constexpr std::size_t kTraining = 9;
+  static constexpr std::size_t kAll = 13;
 };
 
-TEST_F(Summary, AveragesEachCell) {
-  const Table cells = summarize(battery, store).front().table;
-  ASSERT_EQ(cells.rows.size(), battery.cells().size());
-  EXPECT_DOUBLE_EQ(std::get<Estimate>(cells.rows.front()[4]).value, 30.0);
-  EXPECT_EQ(std::get<std::int64_t>(cells.rows.back()[3]), 3);
-}
-
-TEST_F(Summary, RelatesATeamToAsManySingleRobots) {
-  const Table improvement = summarize(battery, store).at(1).table;
-  // Two robots of the first learner reach 60 - 1/6, one reaches 30.
-  ASSERT_EQ(improvement.rows.size(), 4U);
-  EXPECT_NEAR(std::get<Estimate>(improvement.rows.front()[4]).value, (60.0 - 0.5 / 3) / (2 * 30.0),
-              1e-12);
-}
-
-TEST_F(Summary, ComparesOnTheSameSeedsTheLaterValueLessTheEarlier) {
-  const Table comparison = summarize(battery, store).at(2).table;
-  // Two strategies for each of two team sizes; the percentages do not differ and are left out.
-  ASSERT_EQ(comparison.rows.size(), 4U);
-  for (const auto& row : comparison.rows) {
-    EXPECT_EQ(std::get<std::string>(row[4]), "lm - static1");
-    const auto& difference = std::get<Estimate>(row[5]);
-    EXPECT_GT(difference.value, 2.5);
-    EXPECT_LT(difference.value, 3.5);
+TEST_F(RunContest, MakesTheHeldOutRunsLast) {
+  RunStore store = open_store();
+  std::vector<std::size_t> all;
+  const auto note = [&all](const BatteryProgress& p) { all.push_back(p.all); };
+  EXPECT_TRUE(run_battery(battery, store, {2, note, nullptr}));
+  EXPECT_EQ(store.size(), kAll);
+  EXPECT_EQ(std::set<std::size_t>(all.begin(), all.end()), (std::set<std::size_t>{kAll}));
+  for (const PlannedRun& run : held_out_runs(battery, store)) {
+    EXPECT_TRUE(store.find(run.key).has_value());
   }
 }
 
-TEST_F(Summary, NamesItsTables) {
-  std::vector<std::string> names;
-  for (const ReportTable& each : summarize(battery, store)) {
-    names.push_back(each.name);
+TEST_F(RunContest, GoesOnWhereItWasStopped) {
+  RunStore whole(folder / "whole.db");
+  EXPECT_TRUE(run_battery(battery, whole, {1, {}, nullptr}));
+  RunStore store = open_store();
+  for (const std::size_t stop_at : {std::size_t{4}, kTraining + 1}) {
+    std::atomic<bool> stop = false;
+    const auto stop_there = [&](const BatteryProgress& p) { stop = p.done >= stop_at; };
+    EXPECT_FALSE(run_battery(battery, store, {1, stop_there, &stop}));
+    EXPECT_EQ(store.size(), stop_at);
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"cells", "improvement", "comparison"}));
+  BatteryProgress last;
+  EXPECT_TRUE(run_battery(battery, store, {1, [&](const BatteryProgress& p) { last = p; }, {}}));
+  EXPECT_EQ(last.resumed, kTraining + 1);
+  EXPECT_EQ(store.finished_keys(), whole.finished_keys());
 }
 
-TEST_F(Summary, HasNoImprovementWithoutTeamsOfOne) {
-  ExperimentConfig config = small_experiment();
-  config.teams = {{2, 3}};
-  const auto tables = summarize(small_battery(config), store);
-  ASSERT_EQ(tables.size(), 2U);
-  EXPECT_EQ(tables[1].name, "comparison");
+TEST_F(RunContest, KeepsNothingOfAChainThatIsStopped) {
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(make_run(battery, battery.runs().front(), &stop).has_value());
+}
+
+TEST_F(RunContest, MakesRunsThatAreTheSameOnce) {
+  ExperimentConfig config = small_contest();
+  // The rival is the first cell by another name.
+  config.rivals = {"same: enemies.speed_mps = 1.5"};
+  const Battery doubled = small_battery(config);
+  RunStore store = open_store();
+  BatteryProgress last;
+  EXPECT_TRUE(run_battery(doubled, store, {2, [&](const BatteryProgress& p) { last = p; }, {}}));
+  EXPECT_EQ(last.done, last.all);
+  EXPECT_EQ(last.all, store.size());
 }
 
 }  // namespace

@@ -100,7 +100,8 @@ TEST_P(Help, HasAnExample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("run", "scenarios", "verify", "doctor", "experiment"));
+                         testing::Values("run", "learn", "scenarios", "verify", "doctor",
+                                         "experiment"));
 
 class Interface : public testing::TestWithParam<const char*> {};
 
