@@ -1,6 +1,7 @@
 #include "deploy/lockstep/team.h"
 
 #include <cassert>
+#include <utility>
 
 namespace tacit {
 
@@ -28,11 +29,28 @@ std::vector<std::string> Team::policies() const {
 }
 
 std::span<const Event> Team::step() {
+  if (observer_) {
+    observer_(TeamPhase::Between);
+  }
   const std::span<const Percept> percepts = world_.percepts();
   for (std::size_t i = 0; i < brains_.size(); ++i) {
     commands_[i] = brains_[i].decide(percepts[i]);
   }
+  if (observer_) {
+    observer_(TeamPhase::Decisions);
+  }
   return world_.step(commands_);
+}
+
+void Team::on_phase(std::function<void(TeamPhase)> observer) {
+  observer_ = std::move(observer);
+  if (!observer_) {
+    return world_.on_phase({});
+  }
+  world_.on_phase([this](WorldPhase phase) {
+    constexpr auto kFirst = static_cast<int>(TeamPhase::Intent);
+    observer_(static_cast<TeamPhase>(kFirst + static_cast<int>(phase)));
+  });
 }
 
 }  // namespace tacit

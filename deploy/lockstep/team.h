@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "world_server/world/world.h"
 
 namespace tacit {
+
+/// The parts of a team's tick, in order; the last four are the world's.
+enum class TeamPhase : std::uint8_t { Between, Decisions, Intent, Motion, Rules, Sensing };
+inline constexpr std::size_t kTeamPhases = 6;
 
 /// A whole team and its world in one process, without DDS: the two functions called in turn.
 ///
@@ -36,6 +41,11 @@ class Team {
   /// Returns what happened, valid until the next call.
   std::span<const Event> step();
 
+  /// Calls `observer` at the end of every phase of every tick from now on, so that somebody with a
+  /// clock can tell where the time goes; an empty one stops it. `Between` ends when a step begins.
+  /// This team must stay where it is meanwhile.
+  void on_phase(std::function<void(TeamPhase)> observer);
+
   /// The event that closes the log of a complete run.
   [[nodiscard]] Event ending() const { return {tick(), RunEnded{world_.digest()}}; }
 
@@ -43,6 +53,7 @@ class Team {
   World world_;
   std::vector<Brain> brains_;
   std::vector<Command> commands_;
+  std::function<void(TeamPhase)> observer_;
 };
 
 }  // namespace tacit

@@ -10,6 +10,7 @@
 #include "console/record/run_store.h"
 #include "console/report/metrics_table.h"
 #include "deploy/lockstep/team.h"
+#include "deploy/tacit/profile.h"
 #include "deploy/tacit/progress_line.h"
 
 namespace tacit {
@@ -34,6 +35,9 @@ class Run {
         learned_(learned_folder(plan, directory)) {
     if (!plan.policies.empty()) {
       team_.inherit(plan.policies);
+    }
+    if (plan.wish.profile) {
+      profile_.emplace(team_);
     }
   }
 
@@ -123,6 +127,9 @@ class Run {
     if (!plan_.wish.quiet) {
       std::cerr << to_text(metrics_table(recorder_.tally())) << std::flush;
     }
+    if (profile_) {
+      std::cerr << to_text(profile_->table()) << std::flush;
+    }
     return early_.value_or(Ending{});
   }
 
@@ -162,6 +169,7 @@ class Run {
   Clock::time_point next_glance_ = begin_;
   Clock::time_point next_keeping_ = begin_ + kKeeping;
   std::optional<PolicyFolder> learned_;
+  std::optional<Profile> profile_;
   std::optional<Ending> early_;
 };
 

@@ -148,13 +148,13 @@ void add_policy(CLI::App& app, Exit& ending) {
   policy->require_subcommand(1);
   policy->footer(kExamples);
   const auto wish = std::make_shared<PolicyWish>();
-  CLI::App* show_command = add(*policy, ending, wish,
-                               {"show", "Print policies: state in words, values, visits, best role"},
-                               -1, show_all);
+  CLI::App* show_command =
+      add(*policy, ending, wish,
+          {"show", "Print policies: state in words, values, visits, best role"}, -1, show_all);
   show_command->add_flag("--json", wish->json, "As JSON");
-  CLI::App* diff_command = add(*policy, ending, wish,
-                               {"diff", "Print the states in which two policies differ"}, 2,
-                               diff_two);
+  CLI::App* diff_command =
+      add(*policy, ending, wish, {"diff", "Print the states in which two policies differ"}, 2,
+          diff_two);
   diff_command->add_flag("--json", wish->json, "As JSON");
   CLI::App* merge_command =
       add(*policy, ending, wish,

@@ -70,6 +70,7 @@ void add_run_options(CLI::App& run, RunWish& wish, std::string& speed) {
                  "learn")
       ->type_name("DIR");
   run.add_flag("--trajectories", wish.trajectories, "Record where every body was, tick by tick");
+  run.add_flag("--profile", wish.profile, "Tell where the time went (with --one-process)");
   run.add_option("--timeout", wish.timeout_s, "End the run after so much wall time; 0: never")
       ->type_name("S")
       ->check(CLI::Range(0.0, 1e9));
@@ -104,6 +105,9 @@ std::vector<std::string> words_typed() {
 }
 
 Exit run(RunWish wish) {
+  if (wish.profile && !wish.one_process) {
+    throw ConfigError("--profile: found a run over DDS, wanted --one-process beside it");
+  }
   const RunPlan plan = tacit::plan(std::move(wish));
   Signals signals;
   const RunDirectory directory = make_directory(plan);

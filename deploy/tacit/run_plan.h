@@ -26,6 +26,7 @@ struct RunWish {
   std::vector<std::string> command_line;
   bool one_process = false;
   bool trajectories = false;
+  bool profile = false;  ///< Tell where the time went; in one process only.
   bool quiet = false;
   bool json = false;       ///< The result as one JSON object.
   double speed = 0.0;      ///< Times real time; 0 for as fast as it goes.

@@ -16,7 +16,7 @@ std::filesystem::path policy_of(const LiveRun& run, int robot) {
 
 std::uint64_t updates(const std::filesystem::path& policy) {
   const json read = json::parse(text_of(policy), nullptr, false);
-  return read.is_object() ? read.value("updates", std::uint64_t{0}) : 0;
+  return read.is_object() ? read["schedule"].value("updates", std::uint64_t{0}) : 0;
 }
 
 TEST(KilledForager, GoesOnFromItsLastLesson) {

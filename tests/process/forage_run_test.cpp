@@ -148,6 +148,16 @@ TEST(ForageRun, RefusesThePoliciesOfAnotherTeam) {
   EXPECT_NE(finished.err.find("wanted those of robots 1 to 3"), std::string::npos) << finished.err;
 }
 
+TEST(ForageRun, TellsWhereItsTimeWent) {
+  const Scratch scratch;
+  const Finished finished =
+      tacit({"run", "forage_a", "--one-process", "--profile", "--quiet", "--out", scratch / "run"});
+  EXPECT_EQ(finished.exit_code, 0);
+  for (const char* part : {"brains decide", "world: motion (Bullet)", "world: sensing"}) {
+    EXPECT_NE(finished.err.find(part), std::string::npos) << finished.err;
+  }
+}
+
 TEST(ForageRun, EndsWhenTheLastMineIsStored) {
   const Scratch scratch;
   const json run = result({"run", "forage_a", "--learner", "homogeneous", "--robots", "6", "--set",
