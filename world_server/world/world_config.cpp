@@ -264,7 +264,7 @@ WorldConfig world_defaults(MissionKind mission) {
   config.sight.range_m = 50.0;
   config.sight.obstacle_range_m = 3.0;
   config.physics.tick_s = 1.0;
-  config.physics.substeps = 2;
+  config.physics.substeps = 3;
   config.physics.checkpoint_ticks = 1000;
   return config;
 }
