@@ -7,6 +7,8 @@
 #include <map>
 #include <vector>
 
+#include "world_server/world/encounters.h"
+
 namespace tacit {
 namespace {
 
@@ -41,7 +43,8 @@ std::unique_ptr<btRigidBody> make_body(double mass, btCollisionShape* shape,
 
 class Physics::Impl {
  public:
-  explicit Impl(const Terrain& terrain) {
+  Impl(const Terrain& terrain, Care care)
+      : care_(care), encounters_(terrain, kWallHalfThickness_m) {
     world_.setGravity({0, 0, 0});
     // Static bodies never move; without this every step recomputes their boxes.
     world_.setForceUpdateAllAabbs(false);
@@ -61,10 +64,8 @@ class Physics::Impl {
     for (const auto& body : statics_) {
       world_.removeRigidBody(body.get());
     }
-    for (const auto& body : movers_) {
-      if (body && body->isInWorld()) {
-        world_.removeRigidBody(body.get());
-      }
+    for (Mover& mover : movers_) {
+      withdraw(mover);
     }
   }
   Impl(const Impl&) = delete;
@@ -78,29 +79,37 @@ class Physics::Impl {
     body->setActivationState(DISABLE_DEACTIVATION);
     // Nothing turns a body, so there is no gyroscopic torque to work out.
     body->setFlags(0);
-    world_.addRigidBody(body.get());
-    movers_[slot] = std::move(body);
+    movers_[slot] = {std::move(body), radius_m};
+    if (care_ == Care::All) {
+      engage(movers_[slot]);
+    }
     return slot;
   }
 
   void remove(BodySlot slot) {
-    world_.removeRigidBody(movers_[slot].get());
-    movers_[slot].reset();
+    withdraw(movers_[slot]);
+    movers_[slot].body.reset();
     free_.push_back(slot);
   }
 
-  // Without mass a body is to Bullet what a wall is.
-  void pin(BodySlot slot) {
-    mover(slot).setLinearVelocity({0, 0, 0});
-    mover(slot).setMassProps(0.0, {0, 0, 0});
+  // Without mass a body is to Bullet what a wall is. Bullet must be told anew what it has.
+  void set_mass(BodySlot slot, double mass) {
+    withdraw(movers_[slot]);
+    body(slot).setLinearVelocity({0, 0, 0});
+    body(slot).setMassProps(mass, {0, 0, 0});
+    if (care_ == Care::All) {
+      engage(movers_[slot]);
+    }
   }
-
-  void unpin(BodySlot slot) { mover(slot).setMassProps(kMass, {0, 0, 0}); }
 
   void step(double duration_s, std::int64_t substeps) {
     contacts_.clear();
     const double part_s = duration_s / static_cast<double>(substeps);
-    for (std::int64_t i = 0; i < substeps; ++i) {
+    if (care_ == Care::Near) {
+      look_round(duration_s);
+      drift(part_s, substeps);
+    }
+    for (std::int64_t i = 0; i < substeps && engaged_ > 0; ++i) {
       world_.stepSimulation(part_s, 0);
       collect_contacts();
     }
@@ -108,13 +117,68 @@ class Physics::Impl {
     contacts_.erase(std::unique(contacts_.begin(), contacts_.end()), contacts_.end());
   }
 
-  [[nodiscard]] btRigidBody& mover(BodySlot slot) const {
-    assert(slot < movers_.size() && movers_[slot]);
-    return *movers_[slot];
+  [[nodiscard]] btRigidBody& body(BodySlot slot) const {
+    assert(slot < movers_.size() && movers_[slot].body);
+    return *movers_[slot].body;
   }
   [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
 
  private:
+  struct Mover {
+    std::unique_ptr<btRigidBody> body;  ///< None in a free slot.
+    double radius_m = 0.0;
+    bool engaged = false;  ///< Bullet has it.
+  };
+
+  void engage(Mover& mover) {
+    if (!mover.engaged) {
+      mover.body->setInterpolationWorldTransform(mover.body->getWorldTransform());
+      world_.addRigidBody(mover.body.get());
+      mover.engaged = true;
+      ++engaged_;
+    }
+  }
+
+  void withdraw(Mover& mover) {
+    if (mover.engaged) {
+      world_.removeRigidBody(mover.body.get());
+      mover.engaged = false;
+      --engaged_;
+    }
+  }
+
+  // A body that is pushed goes no faster than who pushes it, so the fastest tells for all.
+  void look_round(double duration_s) {
+    bodies_.clear();
+    double fastest2 = 0.0;
+    for (const Mover& mover : movers_) {
+      if (mover.body) {
+        const btVector3& p = mover.body->getWorldTransform().getOrigin();
+        bodies_.push_back({{p.x(), p.y()}, mover.radius_m, mover.engaged});
+        fastest2 = std::max(fastest2, mover.body->getLinearVelocity().length2());
+      }
+    }
+    encounters_.find(bodies_, std::sqrt(fastest2) * duration_s);
+    auto body = bodies_.begin();
+    for (Mover& mover : movers_) {
+      if (mover.body) {
+        (body++)->near ? engage(mover) : withdraw(mover);
+      }
+    }
+  }
+
+  // The same sums as Bullet's.
+  void drift(double part_s, std::int64_t substeps) {
+    for (Mover& mover : movers_) {
+      if (mover.body && !mover.engaged) {
+        btVector3& place = mover.body->getWorldTransform().getOrigin();
+        for (std::int64_t i = 0; i < substeps; ++i) {
+          place += mover.body->getLinearVelocity() * part_s;
+        }
+      }
+    }
+  }
+
   // Shapes are shared by radius, as Bullet intends.
   btCollisionShape* sphere(double radius_m) {
     auto& shape = spheres_[radius_m];
@@ -192,12 +256,17 @@ class Physics::Impl {
   std::map<double, std::unique_ptr<btCollisionShape>> spheres_;
   std::vector<std::unique_ptr<btCollisionShape>> boxes_;
   std::vector<std::unique_ptr<btRigidBody>> statics_;
-  std::vector<std::unique_ptr<btRigidBody>> movers_;
+  std::vector<Mover> movers_;
   std::vector<BodySlot> free_;
   std::vector<Contact> contacts_;
+  Care care_;
+  std::size_t engaged_ = 0;
+  Encounters encounters_;
+  std::vector<Encounters::Body> bodies_;
 };
 
-Physics::Physics(const Terrain& terrain) : impl_(std::make_unique<Impl>(terrain)) {}
+Physics::Physics(const Terrain& terrain, Care care)
+    : impl_(std::make_unique<Impl>(terrain, care)) {}
 Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
 Physics& Physics::operator=(Physics&&) noexcept = default;
@@ -209,27 +278,27 @@ BodySlot Physics::add(const WorldVec& position_m, double radius_m) {
 void Physics::remove(BodySlot slot) { impl_->remove(slot); }
 
 void Physics::set_velocity(BodySlot slot, const WorldVec& velocity_mps) {
-  impl_->mover(slot).setLinearVelocity(in_plane(velocity_mps));
+  impl_->body(slot).setLinearVelocity(in_plane(velocity_mps));
 }
 
 WorldVec Physics::position(BodySlot slot) const {
-  const btVector3& p = impl_->mover(slot).getWorldTransform().getOrigin();
+  const btVector3& p = impl_->body(slot).getWorldTransform().getOrigin();
   return {p.x(), p.y()};
 }
 
 WorldVec Physics::velocity(BodySlot slot) const {
-  const btVector3& v = impl_->mover(slot).getLinearVelocity();
+  const btVector3& v = impl_->body(slot).getLinearVelocity();
   return {v.x(), v.y()};
 }
 
 void Physics::set_position(BodySlot slot, const WorldVec& position_m) {
-  impl_->mover(slot).getWorldTransform().setOrigin(in_plane(position_m));
-  impl_->mover(slot).setInterpolationWorldTransform(impl_->mover(slot).getWorldTransform());
+  impl_->body(slot).getWorldTransform().setOrigin(in_plane(position_m));
+  impl_->body(slot).setInterpolationWorldTransform(impl_->body(slot).getWorldTransform());
 }
 
-void Physics::pin(BodySlot slot) { impl_->pin(slot); }
+void Physics::pin(BodySlot slot) { impl_->set_mass(slot, 0.0); }
 
-void Physics::unpin(BodySlot slot) { impl_->unpin(slot); }
+void Physics::unpin(BodySlot slot) { impl_->set_mass(slot, kMass); }
 
 void Physics::step(double duration_s, std::int64_t substeps) { impl_->step(duration_s, substeps); }
 

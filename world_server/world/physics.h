@@ -28,9 +28,19 @@ struct Contact {
 /// A disc is a sphere whose centre stays in the plane z = 0: two such spheres touch exactly when
 /// the discs do, and sphere against sphere is Bullet's quickest and exact test. Contacts are
 /// frictionless, so they never turn a body; heading is not Bullet's concern.
+///
+/// A body that nothing is near to goes where its velocity takes it, as Bullet would move it but
+/// without Bullet's cost.
 class Physics {
  public:
-  explicit Physics(const Terrain& terrain);
+  /// Which bodies are left to Bullet.
+  enum class Care : std::uint8_t {
+    All,
+    Near,  ///< Those that could touch something in the step.
+  };
+
+  /// Keeps a reference to `terrain`.
+  explicit Physics(const Terrain& terrain, Care care = Care::Near);
   ~Physics();
   Physics(Physics&&) noexcept;
   Physics& operator=(Physics&&) noexcept;
