@@ -26,6 +26,8 @@ class LineOfSight {
 
   /// The lines asked for from now on start at `eye_m`.
   void look_from(const WorldVec& eye_m);
+  /// True when nothing near the eye could hide anything.
+  [[nodiscard]] bool open() const { return discs_.empty() && walls_.empty(); }
   /// True when nothing hides the point at `offset_m` from the eye.
   [[nodiscard]] bool clear(const WorldVec& offset_m) const;
 

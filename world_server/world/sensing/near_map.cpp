@@ -30,7 +30,8 @@ std::size_t index_along(double x, double edge_m, std::size_t count) {
 NearMap::NearMap(const Terrain& terrain, double reach_m)
     : edge_m_(edge_for(terrain)),
       columns_(cells_over(terrain.width_m, edge_m_)),
-      rows_(cells_over(terrain.height_m, edge_m_)) {
+      rows_(cells_over(terrain.height_m, edge_m_)),
+      bare_(terrain.obstacles.empty() && terrain.walls.empty()) {
   constexpr std::size_t kMost = std::numeric_limits<std::uint16_t>::max();
   if (terrain.obstacles.size() > kMost || terrain.walls.size() > kMost) {
     throw ConfigError("the area holds more than 65535 obstacles or walls; wanted fewer");
@@ -68,6 +69,9 @@ std::size_t NearMap::cell(const WorldVec& p) const {
 }
 
 NearMap::Near NearMap::near(const WorldVec& p) const {
+  if (bare_) {
+    return {};
+  }
   const std::size_t i = cell(p);
   return {obstacles_.at(i), walls_.at(i)};
 }

@@ -33,6 +33,7 @@ class NearMap {
   double edge_m_;
   std::size_t columns_;
   std::size_t rows_;
+  bool bare_;  ///< There is nothing to be near to.
   Lists obstacles_;
   Lists walls_;
 };

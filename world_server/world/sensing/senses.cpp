@@ -31,6 +31,14 @@ void keep_nearest(std::vector<Seen>& seen, std::size_t limit) {
 
 }  // namespace
 
+// Most things are seen in the open, where nothing has to be asked.
+inline void Senses::see(const Eye& eye, const WorldVec& offset, const Look& as, Percept& out) {
+  const BodyVec seen = to_body(eye.heading, offset);
+  if (eye.open || recognisable(offset, seen)) {
+    out.sightings.push_back({as.kind, as.colour, seen, as.radius_m});
+  }
+}
+
 Senses::Senses(const WorldConfig& config, const Terrain& terrain, std::uint64_t seed)
     : sight_(config.sight),
       range2_m2_(config.sight.range_m * config.sight.range_m),
@@ -48,10 +56,10 @@ Senses::Senses(const WorldConfig& config, const Terrain& terrain, std::uint64_t 
 }
 
 void Senses::sense(const Scene& scene, std::size_t robot, Percept& out) {
-  const Eye eye{scene.places_m[robot], scene.headings[robot]};
   out.sightings.clear();
   out.obstacles.clear();
-  line_of_sight_.look_from(eye.place_m);
+  line_of_sight_.look_from(scene.places_m[robot]);
+  const Eye eye{scene.places_m[robot], scene.headings[robot], panoramic_ && line_of_sight_.open()};
   const WorldVec to_landmark = scene.landmark.place_m - eye.place_m;
   if (to_landmark.squared_norm() <= range2_m2_) {
     see(eye, to_landmark, scene.landmark.look, out);
@@ -88,14 +96,9 @@ void Senses::see_things(const Things& things, const Eye& eye, Percept& out) {
   });
 }
 
-void Senses::see(const Eye& eye, const WorldVec& offset, const Look& as, Percept& out) {
-  const BodyVec seen = to_body(eye.heading, offset);
-  if (!panoramic_ && seen.x() < half_view_cos_ * seen.norm()) {
-    return;
-  }
-  if (line_of_sight_.clear(offset)) {
-    out.sightings.push_back({as.kind, as.colour, seen, as.radius_m});
-  }
+bool Senses::recognisable(const WorldVec& offset, const BodyVec& seen) const {
+  const bool in_view = panoramic_ || seen.x() >= half_view_cos_ * seen.norm();
+  return in_view && line_of_sight_.clear(offset);
 }
 
 void Senses::range_obstacles(const Eye& eye, Percept& out) const {

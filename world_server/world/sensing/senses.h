@@ -60,9 +60,12 @@ class Senses {
   struct Eye {
     WorldVec place_m;
     Heading heading;
+    bool open = false;  ///< It recognises whatever is in range.
   };
   /// Takes in the thing at `offset`, which is in range, unless it is out of view or hidden.
   void see(const Eye& eye, const WorldVec& offset, const Look& as, Percept& out);
+  /// Whether the thing at `offset`, or `seen` from the body, is in view and not hidden.
+  [[nodiscard]] bool recognisable(const WorldVec& offset, const BodyVec& seen) const;
   void see_bodies(const Scene& scene, std::size_t robot, const Eye& eye, Percept& out);
   void see_things(const Things& things, const Eye& eye, Percept& out);
   void range_obstacles(const Eye& eye, Percept& out) const;
