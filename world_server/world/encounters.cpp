@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace tacit {
 namespace {
@@ -19,10 +20,10 @@ double gap_m(const Encounters::Body& body, double ways_m) {
 
 }  // namespace
 
-Encounters::Encounters(const Terrain& terrain, double wall_half_thickness_m)
-    : terrain_(&terrain),
+Encounters::Encounters(Terrain terrain, double wall_half_thickness_m)
+    : terrain_(std::move(terrain)),
       wall_half_thickness_m_(wall_half_thickness_m),
-      near_map_(terrain, kFarthest_m) {}
+      near_map_(terrain_, kFarthest_m) {}
 
 void Encounters::find(std::span<Body> bodies, double way_m) {
   found_.resize(bodies.size());
@@ -43,13 +44,13 @@ bool Encounters::near_terrain(const Body& body, double gap_m) const {
   const NearMap::Near near = near_map_.near(body.place_m);
   return std::any_of(near.obstacles.begin(), near.obstacles.end(),
                      [&](std::uint16_t i) {
-                       const Disc& disc = terrain_->obstacles[i];
+                       const Disc& disc = terrain_.obstacles[i];
                        const double r = disc.radius_m + reach_m;
                        return (disc.centre_m - body.place_m).squared_norm() <= r * r;
                      }) ||
          std::any_of(near.walls.begin(), near.walls.end(), [&](std::uint16_t i) {
            const double r = wall_half_thickness_m_ + reach_m;
-           const WorldVec point = nearest_point(terrain_->walls[i], body.place_m);
+           const WorldVec point = nearest_point(terrain_.walls[i], body.place_m);
            return (point - body.place_m).squared_norm() <= r * r;
          });
 }
@@ -57,7 +58,7 @@ bool Encounters::near_terrain(const Body& body, double gap_m) const {
 // Without walls the border is not there to be touched, but beyond it the map of what is near ends.
 bool Encounters::near_border(const Body& body, double reach_m) const {
   const WorldVec& p = body.place_m;
-  return std::min({p.x(), p.y(), terrain_->width_m - p.x(), terrain_->height_m - p.y()}) <= reach_m;
+  return std::min({p.x(), p.y(), terrain_.width_m - p.x(), terrain_.height_m - p.y()}) <= reach_m;
 }
 
 // Bodies keep about the same order from step to step, so that moving each to its place costs

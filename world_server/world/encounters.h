@@ -20,9 +20,8 @@ class Encounters {
     bool near = false;  ///< As it was found in the step before.
   };
 
-  /// Keeps a reference to `terrain`, of which inner walls are `wall_half_thickness_m` thick to
-  /// either side.
-  Encounters(const Terrain& terrain, double wall_half_thickness_m);
+  /// Inner walls are `wall_half_thickness_m` thick to either side.
+  Encounters(Terrain terrain, double wall_half_thickness_m);
 
   /// Sets `near` of every body that could touch another one, an obstacle or a wall in a step in
   /// which no body goes further than `way_m`. One that was near stays so for a little longer, so
@@ -35,7 +34,7 @@ class Encounters {
   void sort(std::span<const Body> bodies);
   void find_pairs(std::span<const Body> bodies, double way_m);
 
-  const Terrain* terrain_;
+  Terrain terrain_;
   double wall_half_thickness_m_;
   NearMap near_map_;
   std::vector<std::uint32_t> order_;  ///< Of the bodies, by x.

@@ -131,20 +131,18 @@ class Physics::Impl {
   };
 
   void engage(Mover& mover) {
-    if (!mover.engaged) {
-      mover.body->setInterpolationWorldTransform(mover.body->getWorldTransform());
-      world_.addRigidBody(mover.body.get());
-      mover.engaged = true;
-      ++engaged_;
-    }
+    if (mover.engaged) return;
+    mover.body->setInterpolationWorldTransform(mover.body->getWorldTransform());
+    world_.addRigidBody(mover.body.get());
+    mover.engaged = true;
+    ++engaged_;
   }
 
   void withdraw(Mover& mover) {
-    if (mover.engaged) {
-      world_.removeRigidBody(mover.body.get());
-      mover.engaged = false;
-      --engaged_;
-    }
+    if (!mover.engaged) return;
+    world_.removeRigidBody(mover.body.get());
+    mover.engaged = false;
+    --engaged_;
   }
 
   // A body that is pushed goes no faster than who pushes it, so the fastest tells for all.
@@ -162,7 +160,8 @@ class Physics::Impl {
     auto body = bodies_.begin();
     for (Mover& mover : movers_) {
       if (mover.body) {
-        (body++)->near ? engage(mover) : withdraw(mover);
+        body->near ? engage(mover) : withdraw(mover);
+        ++body;
       }
     }
   }
@@ -291,13 +290,7 @@ WorldVec Physics::velocity(BodySlot slot) const {
   return {v.x(), v.y()};
 }
 
-void Physics::set_position(BodySlot slot, const WorldVec& position_m) {
-  impl_->body(slot).getWorldTransform().setOrigin(in_plane(position_m));
-  impl_->body(slot).setInterpolationWorldTransform(impl_->body(slot).getWorldTransform());
-}
-
 void Physics::pin(BodySlot slot) { impl_->set_mass(slot, 0.0); }
-
 void Physics::unpin(BodySlot slot) { impl_->set_mass(slot, kMass); }
 
 void Physics::step(double duration_s, std::int64_t substeps) { impl_->step(duration_s, substeps); }

@@ -39,7 +39,6 @@ class Physics {
     Near,  ///< Those that could touch something in the step.
   };
 
-  /// Keeps a reference to `terrain`.
   explicit Physics(const Terrain& terrain, Care care = Care::Near);
   ~Physics();
   Physics(Physics&&) noexcept;
@@ -51,7 +50,6 @@ class Physics {
   void set_velocity(BodySlot slot, const WorldVec& velocity_mps);
   [[nodiscard]] WorldVec position(BodySlot slot) const;
   [[nodiscard]] WorldVec velocity(BodySlot slot) const;
-  void set_position(BodySlot slot, const WorldVec& position_m);
 
   /// Stops the body where it is; nothing moves it until `unpin`, which leaves it standing.
   void pin(BodySlot slot);
