@@ -15,7 +15,7 @@ namespace {
 constexpr double kStraight = 0.01;  ///< b times the span of x: hardly bent.
 constexpr double kStep = 20.0;      ///< b times the smallest gap of x: hardly there at the second.
 constexpr double kGridRatio = 1.1;
-constexpr int kSections = 60;
+constexpr int kSections = 40;
 
 struct Point {
   double x;
@@ -32,29 +32,30 @@ struct LineFit {
 
 template <class Function>
 LineFit fit_line(const std::vector<Point>& points, const Function& function) {
+  std::vector<double> f;
   double weight = 0.0;
   double mean_f = 0.0;
   double mean_y = 0.0;
   for (const Point& p : points) {
+    f.push_back(function(p.x));
     weight += p.weight;
-    mean_f += p.weight * function(p.x);
+    mean_f += p.weight * f.back();
     mean_y += p.weight * p.y;
   }
   mean_f /= weight;
   mean_y /= weight;
   double ff = 0.0;
   double fy = 0.0;
-  for (const Point& p : points) {
-    ff += p.weight * (function(p.x) - mean_f) * (function(p.x) - mean_f);
-    fy += p.weight * (function(p.x) - mean_f) * (p.y - mean_y);
+  double yy = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double to_f = f[i] - mean_f;
+    const double to_y = points[i].y - mean_y;
+    ff += points[i].weight * to_f * to_f;
+    fy += points[i].weight * to_f * to_y;
+    yy += points[i].weight * to_y * to_y;
   }
-  LineFit fit{ff > 0.0 ? fy / ff : 0.0, 0.0, 0.0};
-  fit.level = mean_y - fit.slope * mean_f;
-  for (const Point& p : points) {
-    const double left = p.y - fit.slope * function(p.x) - fit.level;
-    fit.squares += p.weight * left * left;
-  }
-  return fit;
+  const double slope = ff > 0.0 ? fy / ff : 0.0;
+  return {slope, mean_y - slope * mean_f, std::max(0.0, yy - slope * fy)};
 }
 
 double mean_of(const FitCell& cell) { return *mean(cell.values); }

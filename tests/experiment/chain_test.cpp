@@ -8,8 +8,6 @@
 namespace tacit {
 namespace {
 
-using tacit::Setup;
-
 /// Three learning soldiers for 30 simulated seconds.
 Setup soldiers() {
   Setup setup;
@@ -84,7 +82,7 @@ TEST(Chain, BeginsEveryRunWithWhatTheOneBeforeTaught) {
 
 TEST(Chain, BeginsTheFirstRunWithThePoliciesGiven) {
   const Chain first = finished(soldiers(), {1, 1});
-  Setup next = soldiers();
+  tacit::Setup next = soldiers();
   ++next.run.seed;
   Chain second(next, {1, 1}, first.policies());
   (void)second.next(never);
@@ -93,7 +91,7 @@ TEST(Chain, BeginsTheFirstRunWithThePoliciesGiven) {
 }
 
 TEST(Chain, BeginsEveryRunAnewWhenTheTeamDoesNotLearn) {
-  Setup setup = soldiers();
+  tacit::Setup setup = soldiers();
   setup.brain.learner = "static1";
   const Chain chain = finished(setup, {2, 1});
   EXPECT_TRUE(chain.policies().empty());

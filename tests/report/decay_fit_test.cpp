@@ -33,7 +33,7 @@ TEST(Exponential, IsEToThePower) {
   EXPECT_EQ(exponential(0.0), 1.0);
   EXPECT_NEAR(exponential(1.0), 2.718281828459045, 1e-15);
   EXPECT_NEAR(exponential(-20.5) / 1.2501528663867426e-09, 1.0, 1e-14);
-  EXPECT_NEAR(exponential(300.25) / 2.4943126404379404e+130, 1.0, 1e-13);
+  EXPECT_NEAR(exponential(300.25) / 2.4941248615349213e+130, 1.0, 1e-13);
   EXPECT_EQ(exponential(-1e9), 0.0);
 }
 
@@ -82,10 +82,10 @@ TEST(DecayBootstrap, HoldsTheTrueParameters) {
 
 TEST(DecayBootstrap, WidensWithTheNoise) {
   const auto reach = [](double noise) {
-    const Estimate band = DecayBootstrap(cells(7, noise), 1).at(6.0, kTrue.at(6.0));
+    const Estimate band = DecayBootstrap(cells(1, noise), 1).at(6.0, kTrue.at(6.0));
     return band.high - band.low;
   };
-  EXPECT_GT(reach(20.0), 1.2 * reach(2.0));
+  EXPECT_GT(reach(20.0), 5.0 * reach(2.0));
 }
 
 TEST(DecayBootstrap, GivesTheSameForTheSameSeedOnly) {
