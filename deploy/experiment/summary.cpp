@@ -97,6 +97,15 @@ class Tables {
   std::vector<ReportTable> tables_;
 };
 
+/// A chart without a point is no figure.
+void add(std::vector<ReportFigure>& figures, const char* name, const Chart& chart) {
+  const bool drawn = std::any_of(chart.series.begin(), chart.series.end(),
+                                 [](const ChartSeries& series) { return !series.points.empty(); });
+  if (drawn) {
+    figures.push_back({name, to_svg(chart)});
+  }
+}
+
 }  // namespace
 
 std::vector<ReportTable> summarize(const Battery& battery, const RunStore& store) {
@@ -134,10 +143,10 @@ std::vector<ReportFigure> draw(const Battery& battery, const RunStore& store) {
   const Results results(battery, store);
   std::vector<ReportFigure> figures;
   if (TeamSizeStudy::applies(battery)) {
-    figures.push_back({"team_size", to_svg(TeamSizeStudy(battery, results).chart())});
+    add(figures, "team_size", TeamSizeStudy(battery, results).chart());
   }
   if (battery.config().episodes > 1) {
-    figures.push_back({"curve", to_svg(LearningCurve(battery, results).chart())});
+    add(figures, "curve", LearningCurve(battery, results).chart());
   }
   return figures;
 }

@@ -38,7 +38,7 @@ struct ReportFigure {
 ///   `select_by` is given.
 [[nodiscard]] std::vector<ReportTable> summarize(const Battery& battery, const RunStore& store);
 
-/// The figures: "team_size" and "curve", where the tables of these names are.
+/// The figures: "team_size" and "curve", where the tables of these names are and have a value.
 [[nodiscard]] std::vector<ReportFigure> draw(const Battery& battery, const RunStore& store);
 
 }  // namespace tacit

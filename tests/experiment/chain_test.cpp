@@ -22,7 +22,7 @@ Setup soldiers() {
 Setup foragers() {
   Setup setup;
   setup.run.mission = "forage";
-  setup.run.duration_s = 60.0;
+  setup.run.duration_s = 600.0;
   setup.world = world_defaults(MissionKind::Forage);
   setup.brain = brain_defaults(MissionKind::Forage);
   setup.world.robots.count = 2;

@@ -138,6 +138,11 @@ TEST_F(Study, DrawsTeamSizesAndTheCurve) {
   }
 }
 
+TEST_F(Study, DrawsNothingWithoutAScore) {
+  RunStore empty(folder / "empty.db");
+  EXPECT_TRUE(draw(battery, empty).empty());
+}
+
 TEST_F(Study, LeavesTeamSizesOutWhereParametersVary) {
   ExperimentConfig config = a_study();
   config.variants.clear();

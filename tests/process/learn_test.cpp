@@ -17,7 +17,7 @@ using nlohmann::json;
 /// Two foragers, few ticks.
 std::vector<std::string> words(const std::vector<std::string>& more, const char* seed = "5") {
   std::vector<std::string> words{"learn",   "forage", "--robots",         "2", "--seed", seed,
-                                 "--quiet", "--set",  "run.duration_s=60"};
+                                 "--quiet", "--set",  "end.cap_ticks=200"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -41,7 +41,7 @@ TEST(Learn, GivesTheRowThatAnExperimentHasForTheSameChain) {
   const Scratch scratch;
   std::ofstream(scratch / "one.toml")
       << "[experiment]\nname = \"one\"\nscenario = \"forage\"\n"
-         "settings = [\"run.duration_s = 60\"]\nteams = [[2, 1]]\nfirst_seed = 5\n"
+         "settings = [\"end.cap_ticks = 200\"]\nteams = [[2, 1]]\nfirst_seed = 5\n"
          "episodes = 3\nevaluate = 2\nmeasures = [\"score_ticks\"]\n";
   const Finished experiment =
       tacit({"experiment", scratch / "one.toml", "--quiet", "--json", "--out", scratch / "out"});
@@ -72,7 +72,7 @@ TEST(Learn, TakenUpAgainGoesOnAsIfNeverStopped) {
 
 TEST(Learn, TellsAboutEveryRun) {
   const Finished finished =
-      tacit({"learn", "forage", "--robots", "2", "--episodes", "2", "--set", "run.duration_s=60"});
+      tacit({"learn", "forage", "--robots", "2", "--episodes", "2", "--set", "end.cap_ticks=200"});
   EXPECT_NE(finished.err.find("run 1/2  seed "), std::string::npos) << finished.err;
   EXPECT_NE(finished.err.find("run 2/2  seed "), std::string::npos);
   EXPECT_NE(finished.out.find("first"), std::string::npos);
