@@ -1,8 +1,6 @@
 #include "deploy/experiment/chain.h"
 
-#include <algorithm>
 #include <cassert>
-#include <span>
 #include <utility>
 
 #include "console/report/estimate.h"
@@ -59,6 +57,26 @@ Chain::Chain(Setup setup, ChainLength length, std::vector<PolicyText> policies)
   assert(length.evaluate >= 1 && length.evaluate <= length.episodes);
 }
 
+void Chain::take(std::span<const Event> events, Tally& tally) {
+  log_.add(events);
+  events_ += events.size();
+  for (const Event& event : events) {
+    tally.add(event);
+  }
+}
+
+bool Chain::make_ticks(Team& team, Tally& tally, const std::function<bool()>& end_wanted) {
+  while (!team.done(last_tick(setup_))) {
+    if (team.tick() % kLook == 0 && end_wanted()) {
+      return false;
+    }
+    take(team.step(), tally);
+  }
+  const Event ending = team.ending();
+  take({&ending, 1}, tally);
+  return true;
+}
+
 std::optional<Episode> Chain::next(const std::function<bool()>& end_wanted) {
   assert(!done());
   Team team(setup_.world, setup_.brain, seed(setup_));
@@ -66,19 +84,9 @@ std::optional<Episode> Chain::next(const std::function<bool()>& end_wanted) {
     team.inherit(policies_);
   }
   Episode episode{static_cast<std::int64_t>(episodes_.size()) + 1, setup_.run.seed, 0, {}};
-  const auto take = [&](std::span<const Event> events) {
-    log_.add(events);
-    events_ += events.size();
-    std::for_each(events.begin(), events.end(), [&](const Event& e) { episode.tally.add(e); });
-  };
-  while (!team.done(last_tick(setup_))) {
-    if (team.tick() % kLook == 0 && end_wanted()) {
-      return std::nullopt;
-    }
-    take(team.step());
+  if (!make_ticks(team, episode.tally, end_wanted)) {
+    return std::nullopt;
   }
-  const Event ending = team.ending();
-  take({&ending, 1});
   episode.ticks = team.tick();
   if (learns(setup_.brain)) {
     policies_ = named(team.policies(), episode.number);

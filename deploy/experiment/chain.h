@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "console/metrics/tally.h"
@@ -12,6 +13,8 @@
 #include "idl/types/policy_text.h"
 
 namespace tacit {
+
+class Team;
 
 /// One finished run of a chain.
 struct Episode {
@@ -53,6 +56,10 @@ class Chain {
   [[nodiscard]] RunOutcome outcome(double wall_s) const;
 
  private:
+  /// False when told to stop before the run's end.
+  bool make_ticks(Team& team, Tally& tally, const std::function<bool()>& end_wanted);
+  void take(std::span<const Event> events, Tally& tally);
+
   Setup setup_;
   ChainLength length_;
   std::vector<PolicyText> policies_;
