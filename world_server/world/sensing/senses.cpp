@@ -8,12 +8,11 @@ namespace {
 
 // The few farthest go when a sensor is full; what is left keeps its order.
 template <class Seen>
-void keep_nearest(std::vector<Seen>& seen, std::size_t limit) {
+void keep_nearest(std::vector<Seen>& seen, std::size_t limit, std::vector<double>& ranges) {
   if (seen.size() <= limit) {
     return;
   }
-  std::vector<double> ranges;
-  ranges.reserve(seen.size());
+  ranges.clear();
   for (const Seen& s : seen) {
     ranges.push_back(s.offset_m.squared_norm());
   }
@@ -70,8 +69,8 @@ void Senses::sense(const Scene& scene, std::size_t robot, Percept& out) {
   }
   range_obstacles(eye, out);
   range_border(eye, out);
-  keep_nearest(out.sightings, Percept::kMaxSightings);
-  keep_nearest(out.obstacles, Percept::kMaxObstacles);
+  keep_nearest(out.sightings, Percept::kMaxSightings, ranges_);
+  keep_nearest(out.obstacles, Percept::kMaxObstacles, ranges_);
   if (!noise_.empty()) {
     blur(robot, out);
   }

@@ -79,7 +79,8 @@ class Senses {
   const Terrain* terrain_;
   NearMap near_;
   LineOfSight line_of_sight_;
-  std::vector<Stream> noise_;  ///< One per robot; empty without noise.
+  std::vector<double> ranges_;  ///< Scratch, kept for its memory.
+  std::vector<Stream> noise_;   ///< One per robot; empty without noise.
 };
 
 }  // namespace tacit
