@@ -11,7 +11,7 @@ namespace tacit {
 namespace {
 
 std::string printed(std::int64_t seed) {
-  Setup setup = drawn_environment(seed);
+  tacit::Setup setup = drawn_environment(seed);
   return to_toml(describing(setup));
 }
 
@@ -22,7 +22,7 @@ TEST(DrawnEnvironment, IsTheSameForTheSameSeedAndOnlyThen) {
 
 TEST(DrawnEnvironment, CanBeBuiltWhateverTheSeed) {
   for (std::int64_t seed = 1; seed <= 60; ++seed) {
-    Setup setup = drawn_environment(seed);
+    tacit::Setup setup = drawn_environment(seed);
     setup.world.robots.count = 12;
     EXPECT_NO_THROW(Team(setup.world, setup.brain, 1)) << "seed " << seed;
   }
@@ -48,7 +48,7 @@ TEST(DrawnEnvironment, VariesNumberLayoutBaseAndObstacles) {
 
 TEST(DrawnEnvironment, ReadsBackFromItsOwnText) {
   ScenarioFile file = ScenarioFile::parse(printed(3), "drawn.toml");
-  Setup again = read_setup(file);
+  tacit::Setup again = read_setup(file);
   EXPECT_EQ(to_toml(describing(again)), printed(3));
 }
 
