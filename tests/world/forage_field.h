@@ -60,7 +60,8 @@ inline std::vector<Command> random_deeds(std::int64_t robots, Stream& chance) {
   return commands;
 }
 
-/// A world of which every step's events and view are kept.
+/// A world of which every step's events and view are kept; the event that begins the run stands
+/// apart.
 struct Field {
   explicit Field(const WorldConfig& config, std::uint64_t seed = 1) : world(config, seed) {
     world.view(view);
@@ -69,7 +70,14 @@ struct Field {
   void step(const std::vector<Command>& commands = {}) {
     before = view;
     const auto events = world.step(commands);
-    told.assign(events.begin(), events.end());
+    told.clear();
+    for (const Event& event : events) {
+      if (const auto* beginning = std::get_if<ForageBegun>(&event.what)) {
+        begun.push_back(*beginning);
+      } else {
+        told.push_back(event);
+      }
+    }
     world.view(view);
   }
 
@@ -91,6 +99,7 @@ struct Field {
     return view.robots[robot - 1].pose.position_m;
   }
 
+  std::vector<ForageBegun> begun;
   World world;
   WorldView view;
   WorldView before;

@@ -263,5 +263,15 @@ TEST(ForageDigest, CoversWhereAMineLies) {
             World(with_mines({{5.0, 6.0}}), 1).digest());
 }
 
+TEST(ForageMission, BeginsOnceWithTheNumberOfItsMines) {
+  WorldConfig config = bare_field(1);
+  config.forage.mines.count = 4;
+  Field field(config);
+  for (int i = 0; i < 5; ++i) {
+    field.step();
+  }
+  EXPECT_EQ(field.begun, std::vector<ForageBegun>{ForageBegun{5}});
+}
+
 }  // namespace
 }  // namespace tacit
