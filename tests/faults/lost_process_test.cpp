@@ -45,8 +45,9 @@ TEST(KilledAgent, IsStartedAgainAndCarriesOn) {
 TEST(KilledAgent, MarksTheRunAsNotRepeatableInItsMetricsAndItsStoreRow) {
   LiveRun run;
   kill(run.agent(1), SIGKILL);
-  const json summary = json::parse(run.launcher().finish().out);
-  EXPECT_EQ(summary["complete"], true);
+  const Finished finished = run.launcher().finish();
+  const json summary = json::parse(finished.out);
+  EXPECT_EQ(summary["complete"], true) << finished.err;
   EXPECT_EQ(summary["repeatable"], false);
   const RunDirectory directory = RunDirectory::open(run.directory());
   EXPECT_FALSE(directory.outcome()->repeatable);
