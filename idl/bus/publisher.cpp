@@ -8,6 +8,7 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
 #include <atomic>
+#include <exception>
 
 #include "idl/bus/convert_events.h"
 #include "idl/bus/convert_lockstep.h"
@@ -30,11 +31,12 @@ class Publisher<Topic>::Impl final : public dds::DataWriterListener {
   using Support = typename WireOf<Word>::Support;
 
  public:
-  Impl(Participant::Entities& entities, RobotId robot) : publisher_(*entities.publisher) {
+  Impl(Participant::Entities& entities, RobotId robot, Promise promise)
+      : publisher_(*entities.publisher) {
     const std::string name = topic_name<Topic>(robot);
     dds::TypeSupport type(new Support());
     dds::DataWriterQos qos = dds::DATAWRITER_QOS_DEFAULT;
-    qos::set_writer(qos, Topic::kPromise);
+    qos::set_writer(qos, promise);
     writer_ = publisher_.create_datawriter(entities.topic(name, type), qos, this,
                                            dds::StatusMask::publication_matched());
     if (writer_ == nullptr) {
@@ -48,12 +50,14 @@ class Publisher<Topic>::Impl final : public dds::DataWriterListener {
     publisher_.delete_datawriter(writer_);
   }
 
+  /// A reader in shared memory that was killed while it held its lock makes Fast DDS throw. To the
+  /// others the sample may be lost, as it may anyway.
   bool publish(const Word& word) {
-    if constexpr (kInPlace) {
-      if (publish_in_place(word)) return true;
+    try {
+      return write(word);
+    } catch (const std::exception&) {
+      return false;
     }
-    to_wire(word, scratch_);
-    return writer_->write(&scratch_);
   }
 
   bool wait_received(std::chrono::milliseconds patience) {
@@ -70,6 +74,14 @@ class Publisher<Topic>::Impl final : public dds::DataWriterListener {
   /// Lending memory costs more than copying a small sample.
   static constexpr bool kInPlace =
       Topic::kPromise == Promise::EveryTick && sizeof(Wire) > kSmallSample;
+
+  bool write(const Word& word) {
+    if constexpr (kInPlace) {
+      if (publish_in_place(word)) return true;
+    }
+    to_wire(word, scratch_);
+    return writer_->write(&scratch_);
+  }
 
   /// Writes straight into memory that the readers share; false when none is free.
   bool publish_in_place(const Word& word) {
@@ -90,8 +102,8 @@ class Publisher<Topic>::Impl final : public dds::DataWriterListener {
 };
 
 template <class Topic>
-Publisher<Topic>::Publisher(Participant& participant, RobotId robot)
-    : impl_(std::make_unique<Impl>(participant.entities(), robot)) {}
+Publisher<Topic>::Publisher(Participant& participant, RobotId robot, Promise promise)
+    : impl_(std::make_unique<Impl>(participant.entities(), robot, promise)) {}
 template <class Topic>
 Publisher<Topic>::~Publisher() = default;
 template <class Topic>

@@ -14,8 +14,10 @@ class Publisher {
  public:
   using Word = typename Topic::Word;
 
-  /// `robot` counts for a robot's topic alone. Throws BusError.
-  explicit Publisher(Participant& participant, RobotId robot = {});
+  /// `robot` counts for a robot's topic alone; `promise` is the topic's, or `Answer` in place of
+  /// `EveryTick`, which its readers take as well. Throws BusError.
+  explicit Publisher(Participant& participant, RobotId robot = {},
+                     Promise promise = Topic::kPromise);
   ~Publisher();
   Publisher(Publisher&&) noexcept;
   Publisher& operator=(Publisher&&) noexcept;

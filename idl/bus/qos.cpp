@@ -85,7 +85,8 @@ void bounded(Qos& qos, dds::HistoryQosPolicyKind kind, int depth) {
 /// What reader and writer have in common.
 template <class Qos>
 void set_endpoint(Qos& qos, Promise promise) {
-  const bool reliable = promise != Promise::EveryTick && promise != Promise::Glimpse;
+  const bool reliable =
+      promise != Promise::EveryTick && promise != Promise::Answer && promise != Promise::Glimpse;
   const bool kept = promise == Promise::MustArrive || promise == Promise::LatestState;
   qos.reliability().kind =
       reliable ? dds::RELIABLE_RELIABILITY_QOS : dds::BEST_EFFORT_RELIABILITY_QOS;
@@ -96,6 +97,12 @@ void set_endpoint(Qos& qos, Promise promise) {
     case Promise::EveryTick:
       bounded(qos, dds::KEEP_LAST_HISTORY_QOS, kEveryTickDepth);
       qos.data_sharing().automatic();
+      qos.endpoint().history_memory_policy = rtps::PREALLOCATED_MEMORY_MODE;
+      break;
+    // Whoever shares memory locks what its reader waits on. One that is killed while it holds the
+    // lock takes the reader's process with it.
+    case Promise::Answer:
+      bounded(qos, dds::KEEP_LAST_HISTORY_QOS, kEveryTickDepth);
       qos.endpoint().history_memory_policy = rtps::PREALLOCATED_MEMORY_MODE;
       break;
     case Promise::Glimpse:

@@ -61,9 +61,10 @@ class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
   int writers() const { return writers_.load(std::memory_order_relaxed); }
 
  private:
+  static constexpr bool kOncePerTick =
+      Topic::kPromise == Promise::EveryTick || Topic::kPromise == Promise::Answer;
   /// Borrowing memory costs more than copying a small sample.
-  static constexpr bool kBorrow =
-      Topic::kPromise != Promise::EveryTick || sizeof(Wire) > kSmallSample;
+  static constexpr bool kBorrow = !kOncePerTick || sizeof(Wire) > kSmallSample;
 
   void on_data_available(dds::DataReader* reader) override {
     if constexpr (kBorrow) {

@@ -31,6 +31,8 @@ const char* name(Promise promise) {
   switch (promise) {
     case Promise::EveryTick:
       return "every tick";
+    case Promise::Answer:
+      return "answer";
     case Promise::Glimpse:
       return "glimpse";
     case Promise::LatestState:

@@ -16,6 +16,7 @@ namespace tacit {
 /// What a topic promises. How the promise is kept is the bus's affair.
 enum class Promise {
   EveryTick,    ///< As fast as can be; a value may be lost and its sender sends it again.
+  Answer,       ///< As EveryTick, and a sender killed at any moment does its reader no harm.
   Glimpse,      ///< The newest value, now and then; may be lost and never slows its sender.
   LatestState,  ///< The newest value reaches every reader, also one that comes later.
   MustArrive,   ///< Every value reaches every reader in order, also one that comes later.
@@ -59,7 +60,7 @@ struct Command {
   using Word = tacit::Command;
   static constexpr std::string_view kName = "command";
   static constexpr Scope kScope = Scope::Robot;
-  static constexpr Promise kPromise = Promise::EveryTick;
+  static constexpr Promise kPromise = Promise::Answer;
   static constexpr Parties kWriters = Party::Agent;
   static constexpr Parties kReaders = Party::World;
 };

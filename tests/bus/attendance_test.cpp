@@ -18,8 +18,10 @@ struct RecordingPort final : AgentPort {
   void send(const Percept&) override {}
   void send(const Order& order) override { orders.push_back(order); }
   [[nodiscard]] bool connected(RobotId robot) const override { return wired.contains(robot); }
+  void forget(RobotId robot) override { forgotten.push_back(robot); }
 
   std::vector<Order> orders;
+  std::vector<RobotId> forgotten;
   std::set<RobotId> wired{{1}, {2}};
 };
 
@@ -77,6 +79,7 @@ TEST_F(Attendances, LoseAKilledAgent) {
   kill_agent(agent);
   EXPECT_EQ(attendance_.look(), Happenings{RobotLost{{1}}});
   EXPECT_EQ(attendance_.count(), 0U);
+  EXPECT_EQ(port_.forgotten, std::vector<RobotId>{{1}});
 }
 
 TEST_F(Attendances, LoseAnAgentOfAnotherHostWhoseConnectionBroke) {

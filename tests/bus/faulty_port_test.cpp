@@ -69,6 +69,7 @@ Answers::Decide remembering() {
 
 class FaultyPort final : public AgentPort {
  public:
+  void forget(RobotId /*robot*/) override {}
   FaultyPort(Faults faults, std::uint64_t seed)
       : chance_(seed, "faults"), percepts_(faults, chance_), commands_(faults, chance_) {}
 

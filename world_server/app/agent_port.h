@@ -13,6 +13,9 @@ class AgentPort {
   virtual void send(const Order& order) = 0;
   /// Whether percepts and commands can pass between the world and this robot's agent.
   [[nodiscard]] virtual bool connected(RobotId robot) const = 0;
+  /// This robot's agent is gone, and what it held when it went is not to be waited for. Not while
+  /// a percept is being sent.
+  virtual void forget(RobotId robot) = 0;
 };
 
 }  // namespace tacit

@@ -60,6 +60,7 @@ bool Attendance::has_gone(std::size_t index) const {
 void Attendance::dismiss(std::size_t index) {
   roster_.dismiss(id_of(index));
   watch_.forget(index);
+  port_.forget(id_of(index));
   present_[index] = false;
 }
 

@@ -42,6 +42,10 @@ bool Lines::connected(RobotId robot) const {
   return line.percepts.readers() > 0 && line.commands.writers() > 0;
 }
 
+void Lines::forget(RobotId robot) {
+  line_of(robot).percepts = Publisher<topics::Percept>(participant_, robot, Promise::Answer);
+}
+
 void Lines::flush(std::chrono::milliseconds patience) {
   const auto until = Bell::Clock::now() + patience;
   for (Line& line : lines_) {

@@ -19,6 +19,9 @@ class Lines final : public AgentPort {
   void send(const Percept& percept) override;
   void send(const Order& order) override;
   [[nodiscard]] bool connected(RobotId robot) const override;
+  /// From now on this robot's percepts do not go through memory that is shared with its agent: one
+  /// that was killed may have left its lock behind.
+  void forget(RobotId robot) override;
 
   /// Waits until the orders so far have reached the agents that are there, or `patience` is over.
   void flush(std::chrono::milliseconds patience);
