@@ -51,7 +51,7 @@ ExitCode Agent::run() {
   while (!ending) {
     bell_.wait_until(Clock::now() + kRound);
     ending = see_to_the_rest(Clock::now());
-    if (ending || memory_.due(Clock::now())) keep_memory(Clock::now());
+    if (ending || is_memory_due(Clock::now())) keep_memory(Clock::now());
   }
   return *ending;
 }
@@ -110,6 +110,11 @@ void Agent::tell_telemetry(Time now) {
   telemetry_.duplicates = answers_.duplicates();
   telemetry_.rejected = participant_.rejections().count();
   telemetry_out_.publish(telemetry_);
+}
+
+bool Agent::is_memory_due(Time now) {
+  const std::lock_guard lock(files_);
+  return memory_.due(now);
 }
 
 /// The disk may be slow, so it is written to without the lock on thought.

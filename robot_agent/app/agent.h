@@ -46,6 +46,7 @@ class Agent {
   /// Says how the agent ends, if it does.
   std::optional<ExitCode> see_to_the_rest(Time now);
   void tell_telemetry(Time now);
+  [[nodiscard]] bool is_memory_due(Time now);
   void keep_memory(Time now);
   void keep_lessons();
   void save(const std::string& memory, const std::string& policy, Time now);
