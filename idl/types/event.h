@@ -149,9 +149,10 @@ struct RunEnded {
   friend bool operator==(const RunEnded&, const RunEnded&) = default;
 };
 
-using Happening = std::variant<EnemyCreated, EnemyIntercepted, TargetHit, Collision, RobotLost,
-                               RobotBack, RobotLate, Checkpoint, RunEnded, EnemyRetreated, MineTaken,
-                               MineDropped, MineStored, RobotDisabled, RobotRevived, MissionOver, ForageBegun>;
+using Happening =
+    std::variant<EnemyCreated, EnemyIntercepted, TargetHit, Collision, RobotLost, RobotBack,
+                 RobotLate, Checkpoint, RunEnded, EnemyRetreated, MineTaken, MineDropped,
+                 MineStored, RobotDisabled, RobotRevived, MissionOver, ForageBegun>;
 
 struct Event {
   Tick tick = 0;

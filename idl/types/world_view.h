@@ -15,9 +15,9 @@ struct ViewedRobot {
   RobotId robot;
   WorldPose pose;
   WorldVec velocity_mps;
-  bool present = true;  ///< False while its agent is lost.
-  bool able = true;     ///< False while it is disabled.
-  bool holding = false; ///< It carries a mine.
+  bool present = true;   ///< False while its agent is lost.
+  bool able = true;      ///< False while it is disabled.
+  bool holding = false;  ///< It carries a mine.
 };
 
 struct ViewedEnemy {

@@ -35,19 +35,18 @@ TEST(Forage, CountsMinesStoredAndLeft) {
 }
 
 TEST(Forage, TellsTerrainFromHunters) {
-  const Forage forage =
-      folded({RobotDisabled{{1}, Mishap::Mud}, RobotDisabled{{2}, Mishap::Enemy},
-              RobotDisabled{{3}, Mishap::Enemy}, RobotRevived{{1}, {4}}});
+  const Forage forage = folded({RobotDisabled{{1}, Mishap::Mud}, RobotDisabled{{2}, Mishap::Enemy},
+                                RobotDisabled{{3}, Mishap::Enemy}, RobotRevived{{1}, {4}}});
   EXPECT_EQ(forage.stuck, 1U);
   EXPECT_EQ(forage.struck, 2U);
   EXPECT_EQ(forage.disabled(), 2U);
 }
 
 TEST(Forage, CountsHuntersOnly) {
-  const Forage forage = folded({EnemyCreated{{1}, EnemyKind::Hunter, {}},
-                                EnemyCreated{{2}, EnemyKind::Normal, {}},
-                                EnemyIntercepted{{1}, EnemyKind::Hunter, {1}, 0.0},
-                                EnemyIntercepted{{2}, EnemyKind::Decoy, {1}, 0.0}});
+  const Forage forage =
+      folded({EnemyCreated{{1}, EnemyKind::Hunter, {}}, EnemyCreated{{2}, EnemyKind::Normal, {}},
+              EnemyIntercepted{{1}, EnemyKind::Hunter, {1}, 0.0},
+              EnemyIntercepted{{2}, EnemyKind::Decoy, {1}, 0.0}});
   EXPECT_EQ(forage.hunters, 1U);
   EXPECT_EQ(forage.intercepted, 1U);
 }
