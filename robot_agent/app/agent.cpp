@@ -31,8 +31,7 @@ Agent::Agent(const Soldier& soldier, const Settings& settings)
       incarnation_(fresh_incarnation()),
       brain_(soldier.brain, settings.robot, soldier.seed),
       answers_([this](const Percept& percept) { return brain_.decide(percept); }),
-      memory_(settings.memory),
-      learned_(settings.learned),
+      notes_(settings.memory, settings.learned),
       signals_(bell_),
       last_sign_of_world_(Clock::now()),
       participant_({Party::Agent, settings.robot, settings.domain, settings.run_nonce,
@@ -51,7 +50,7 @@ ExitCode Agent::run() {
   while (!ending) {
     bell_.wait_until(Clock::now() + kRound);
     ending = see_to_the_rest(Clock::now());
-    if (ending || is_memory_due(Clock::now())) keep_memory(Clock::now());
+    if (ending || notes_.due(Clock::now())) keep_memory(Clock::now());
   }
   return *ending;
 }
@@ -112,40 +111,28 @@ void Agent::tell_telemetry(Time now) {
   telemetry_out_.publish(telemetry_);
 }
 
-bool Agent::is_memory_due(Time now) {
-  const std::lock_guard lock(files_);
-  return memory_.due(now);
-}
-
-/// The disk may be slow, so it is written to without the lock on thought.
+/// The disk may be slow, so it is written to without the lock on thought; a lesson that is kept
+/// meanwhile is the newer one and stays.
 void Agent::keep_memory(Time now) {
-  std::string memory;
-  std::string policy;
+  Note note;
   {
     const std::lock_guard lock(thought_);
     if (answers_.decisions() == 0) return;
-    memory = brain_.memory();
-    policy = brain_.policy();
+    note = note_of(brain_, answers_.decisions());
   }
-  save(memory, policy, now);
+  notes_.save(note, now);
 }
 
 /// A lesson is on disk before the world hears of the decision that it led to, so that at most the
 /// one under way is lost with this process.
 void Agent::keep_lessons() {
   lessons_kept_ = brain_.lessons();
-  save(brain_.memory(), brain_.policy(), Clock::now());
-}
-
-void Agent::save(const std::string& memory, const std::string& policy, Time now) {
-  const std::lock_guard lock(files_);
-  memory_.save(memory, now);
-  learned_.save(policy, now);
+  notes_.save(note_of(brain_, answers_.decisions()), Clock::now());
 }
 
 /// Goes on where a forerunner of this run died, or else begins with what an earlier run taught.
 void Agent::begin() {
-  const std::optional<std::string> memory = memory_.load();
+  const std::optional<std::string> memory = notes_.load();
   if (memory && brain_.recall(*memory)) {
     lessons_kept_ = brain_.lessons();
     return;

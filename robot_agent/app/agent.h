@@ -9,7 +9,7 @@
 #include "idl/bus/subscriber.h"
 #include "robot_agent/app/answers.h"
 #include "robot_agent/app/exit_code.h"
-#include "robot_agent/app/memory_file.h"
+#include "robot_agent/app/notes.h"
 #include "robot_agent/app/soldier.h"
 
 namespace tacit {
@@ -46,22 +46,18 @@ class Agent {
   /// Says how the agent ends, if it does.
   std::optional<ExitCode> see_to_the_rest(Time now);
   void tell_telemetry(Time now);
-  [[nodiscard]] bool is_memory_due(Time now);
   void keep_memory(Time now);
   void keep_lessons();
-  void save(const std::string& memory, const std::string& policy, Time now);
   void begin();
 
   Settings settings_;
   std::uint64_t incarnation_;
   Brain brain_;
   Answers answers_;
-  MemoryFile memory_;
-  MemoryFile learned_;
+  Notes notes_;
   std::uint64_t lessons_kept_ = 0;
   Bell bell_;
   StopSignals signals_;
-  std::mutex files_;    ///< Guards the two files; taken after `thought_`, if both are.
   std::mutex thought_;  ///< Guards what follows that is not the bus's own.
   bool welcome_ = false;
   std::optional<ExitCode> ending_;

@@ -1,26 +1,16 @@
 #include "robot_agent/app/memory_file.h"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
+#include "tests/bus/scratch.h"
 
 namespace tacit {
 namespace {
 
 namespace fs = std::filesystem;
 
-class MemoryFiles : public testing::Test {
+class MemoryFiles : public test::ScratchTest {
  protected:
-  MemoryFiles() {
-    char name[] = "/tmp/tacit-memory-XXXXXX";
-    folder_ = mkdtemp(name);
-  }
-  ~MemoryFiles() override { fs::remove_all(folder_); }
-
   [[nodiscard]] fs::path path() const { return folder_ / "memory"; }
 
-  fs::path folder_;
   MemoryFile::Time now_ = std::chrono::steady_clock::now();
 };
 
