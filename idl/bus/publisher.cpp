@@ -32,7 +32,7 @@ class Publisher<Topic>::Impl final : public dds::DataWriterListener {
 
  public:
   Impl(Participant::Entities& entities, RobotId robot, Promise promise)
-      : publisher_(*entities.publisher) {
+      : publisher_(*entities.publisher), shares_memory_(promise == Promise::EveryTick) {
     const std::string name = topic_name<Topic>(robot);
     dds::TypeSupport type(new Support());
     dds::DataWriterQos qos = dds::DATAWRITER_QOS_DEFAULT;
@@ -51,8 +51,9 @@ class Publisher<Topic>::Impl final : public dds::DataWriterListener {
   }
 
   /// A reader in shared memory that was killed while it held its lock makes Fast DDS throw. To the
-  /// others the sample may be lost, as it may anyway.
+  /// others the sample may be lost, as it may anyway. Whatever is thrown elsewhere is a fault.
   bool publish(const Word& word) {
+    if (!shares_memory_) return write(word);
     try {
       return write(word);
     } catch (const std::exception&) {
@@ -97,6 +98,7 @@ class Publisher<Topic>::Impl final : public dds::DataWriterListener {
 
   dds::Publisher& publisher_;
   dds::DataWriter* writer_ = nullptr;
+  bool shares_memory_;
   std::atomic<int> readers_{0};
   Wire scratch_;
 };

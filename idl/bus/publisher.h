@@ -23,7 +23,8 @@ class Publisher {
   Publisher& operator=(Publisher&&) noexcept;
 
   /// Sends within this call, by the calling thread. False if the bus did not take the word, which
-  /// only a topic without gaps does, when its readers are too slow for seconds on end.
+  /// only a topic without gaps does, when its readers are too slow for seconds on end, and one of
+  /// every tick, when a reader was killed. Throws what the bus throws, except on the latter.
   bool publish(const Word& word);
 
   /// Readers that are there now. From any thread.
