@@ -95,10 +95,8 @@ void set_endpoint(Qos& qos, Promise promise) {
   qos.endpoint().history_memory_policy = rtps::DYNAMIC_RESERVE_MEMORY_MODE;
   switch (promise) {
     case Promise::EveryTick:
-      bounded(qos, dds::KEEP_LAST_HISTORY_QOS, kEveryTickDepth);
       qos.data_sharing().automatic();
-      qos.endpoint().history_memory_policy = rtps::PREALLOCATED_MEMORY_MODE;
-      break;
+      [[fallthrough]];
     // Whoever shares memory locks what its reader waits on. One that is killed while it holds the
     // lock takes the reader's process with it.
     case Promise::Answer:
