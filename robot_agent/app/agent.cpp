@@ -117,7 +117,7 @@ void Agent::keep_memory(Time now) {
   Note note;
   {
     const std::lock_guard lock(thought_);
-    if (answers_.decisions() == 0) return;
+    if (answers_.decisions() == 0 || !notes_.wanted()) return;
     note = note_of(brain_, answers_.decisions());
   }
   notes_.save(note, now);
@@ -127,7 +127,7 @@ void Agent::keep_memory(Time now) {
 /// one under way is lost with this process.
 void Agent::keep_lessons() {
   lessons_kept_ = brain_.lessons();
-  notes_.save(note_of(brain_, answers_.decisions()), Clock::now());
+  if (notes_.wanted()) notes_.save(note_of(brain_, answers_.decisions()), Clock::now());
 }
 
 /// Goes on where a forerunner of this run died, or else begins with what an earlier run taught.

@@ -3,8 +3,12 @@
 namespace tacit {
 
 Note note_of(const Brain& brain, std::uint64_t decisions) {
-  return {decisions, brain.memory(), brain.policy()};
+  Note note{decisions, {}, brain.policy()};
+  note.memory = brain.memory(note.policy);
+  return note;
 }
+
+bool Notes::wanted() const { return memory_.keeps() || learned_.keeps(); }
 
 std::optional<std::string> Notes::load() const {
   const std::lock_guard lock(files_);

@@ -29,6 +29,8 @@ class Notes {
   Notes(std::filesystem::path memory, std::filesystem::path learned)
       : memory_(std::move(memory)), learned_(std::move(learned)) {}
 
+  /// Whether there is a file for them; without one nobody needs to take a note.
+  [[nodiscard]] bool wanted() const;
   /// The memory in its file; none when there is no file.
   [[nodiscard]] std::optional<std::string> load() const;
   [[nodiscard]] bool due(Time now) const;

@@ -29,7 +29,7 @@ Command Brain::decide(const Percept& percept) { return mind_->decide(percept); }
 
 void Brain::report(Telemetry& out) const { mind_->report(out); }
 
-std::string Brain::memory() const { return mind_->memory(); }
+std::string Brain::memory(std::string_view policy) const { return mind_->memory(policy); }
 
 bool Brain::recall(std::string_view memory) { return mind_->recall(memory); }
 

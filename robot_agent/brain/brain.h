@@ -34,7 +34,9 @@ class Brain {
   void report(Telemetry& out) const;
 
   /// What has been learned and where the brain stands, so that it can go on after a crash.
-  [[nodiscard]] std::string memory() const;
+  [[nodiscard]] std::string memory() const { return memory(policy()); }
+  /// The same for who has the policy of this moment already: it is a part of the memory, and long.
+  [[nodiscard]] std::string memory(std::string_view policy) const;
   /// Takes up where `memory()` left off. False, and nothing changed, when the text is not one that
   /// this configuration wrote.
   [[nodiscard]] bool recall(std::string_view memory);

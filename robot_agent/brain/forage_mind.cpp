@@ -71,7 +71,9 @@ void ForageMind::report(Telemetry& out) const {
 }
 
 // The first line says where the run stands; the policy follows.
-std::string ForageMind::memory() const { return to_line(stand()) + '\n' + selector_->policy(); }
+std::string ForageMind::memory(std::string_view policy) const {
+  return to_line(stand()).append("\n").append(policy);
+}
 
 RunStand ForageMind::stand() const {
   RunStand stand;

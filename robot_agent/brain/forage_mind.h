@@ -23,7 +23,7 @@ class ForageMind final : public Mind {
 
   [[nodiscard]] Command decide(const Percept& percept) override;
   void report(Telemetry& out) const override;
-  [[nodiscard]] std::string memory() const override;
+  [[nodiscard]] std::string memory(std::string_view policy) const override;
   [[nodiscard]] bool recall(std::string_view memory) override;
   [[nodiscard]] std::uint64_t lessons() const override { return selector_->lessons(); }
   [[nodiscard]] std::string policy() const override { return selector_->policy(); }

@@ -16,7 +16,10 @@ class GuardMind final : public Mind {
 
   [[nodiscard]] Command decide(const Percept& percept) override;
   void report(Telemetry& out) const override;
-  [[nodiscard]] std::string memory() const override { return learner_->memory(); }
+  /// The policy is all that there is to remember.
+  [[nodiscard]] std::string memory(std::string_view policy) const override {
+    return std::string(policy);
+  }
   [[nodiscard]] bool recall(std::string_view memory) override { return learner_->recall(memory); }
   [[nodiscard]] std::uint64_t lessons() const override { return 0; }
   [[nodiscard]] std::string policy() const override { return learner_->memory(); }

@@ -17,7 +17,7 @@ class Mind {
   virtual ~Mind() = default;
   [[nodiscard]] virtual Command decide(const Percept& percept) = 0;
   virtual void report(Telemetry& out) const = 0;
-  [[nodiscard]] virtual std::string memory() const = 0;
+  [[nodiscard]] virtual std::string memory(std::string_view policy) const = 0;
   [[nodiscard]] virtual bool recall(std::string_view memory) = 0;
   [[nodiscard]] virtual std::uint64_t lessons() const = 0;
   [[nodiscard]] virtual std::string policy() const = 0;

@@ -207,6 +207,13 @@ TEST(Brain, CarriesOnFromItsMemory) {
   EXPECT_EQ(second.memory(), first.memory());
 }
 
+TEST(Brain, OfAGuardRemembersItsPolicyAlone) {
+  Brain brain(config_for("lm"), RobotId{1}, 3);
+  for (Tick tick = 0; tick < 31; ++tick) static_cast<void>(brain.decide(busy_percept(tick, 2)));
+  EXPECT_EQ(brain.memory(), brain.policy());
+  EXPECT_EQ(brain.memory("a policy"), "a policy");
+}
+
 TEST(Brain, RefusesTheMemoryOfAnotherLearner) {
   Brain learning(config_for("lm"), RobotId{1}, 3);
   Brain fixed(config_for("static1"), RobotId{1}, 3);

@@ -55,6 +55,15 @@ TEST_P(ForageLaws, ABrainThatRemembersDecidesAsOneThatNeverStopped) {
   }
 }
 
+TEST_P(ForageLaws, TheMemoryHoldsThePolicyAsItWasGiven) {
+  Brain brain(config_for(GetParam()), RobotId{2}, 5);
+  for (Tick tick = 0; tick < 30; ++tick) {
+    static_cast<void>(brain.decide(busy_forage_percept(tick, 3)));
+  }
+  EXPECT_EQ(brain.memory(brain.policy()), brain.memory());
+  EXPECT_TRUE(brain.memory("a policy").ends_with("}\na policy"));
+}
+
 TEST_P(ForageLaws, TheOrderOfSightingsChangesNothingButRounding) {
   Brain straight(config_for(GetParam()), RobotId{2}, 5);
   Brain shuffled(config_for(GetParam()), RobotId{2}, 5);

@@ -42,6 +42,12 @@ TEST_F(NotesOfABrain, AreDueAsOftenAsTheMemory) {
   EXPECT_TRUE(notes_.due(now_ + MemoryFile::kPeriod));
 }
 
+TEST_F(NotesOfABrain, AreNotWantedWithoutAFile) {
+  EXPECT_FALSE(Notes({}, {}).wanted());
+  EXPECT_TRUE(Notes(folder_ / "memory", {}).wanted());
+  EXPECT_TRUE(Notes({}, folder_ / "learned").wanted());
+}
+
 TEST_F(NotesOfABrain, TellWhatItWouldRememberAfterThatDecision) {
   const Brain brain(brain_defaults(MissionKind::Forage), RobotId{2}, 5);
   const Note note = note_of(brain, 3);
