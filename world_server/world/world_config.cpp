@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "idl/types/config_error.h"
+#include "world_server/world/refuse.h"
 
 namespace tacit {
 namespace {
@@ -11,8 +11,6 @@ namespace {
 constexpr std::array<std::string_view, 4> kWallColumns{"x1", "y1", "x2", "y2"};
 constexpr std::array<std::string_view, 3> kDiscColumns{"x", "y", "r"};
 constexpr std::array<std::string_view, 2> kStarts{"ring", "scattered"};
-constexpr std::array<std::string_view, 2> kPlaceColumns{"x", "y"};
-constexpr std::array<std::string_view, 3> kLayouts{"scattered", "clusters", "ring"};
 
 void describe_area(AreaConfig& area, ParameterVisitor& v) {
   v.section("area", "The rectangle in which everything happens.");
@@ -118,86 +116,6 @@ void describe_enemies(EnemyConfig& enemies, ParameterVisitor& v) {
            {"m", "A decoy turns back when so far from where it appeared. [ours]"});
 }
 
-void describe_base(BaseConfig& base, ParameterVisitor& v) {
-  v.section("base", "The storage area, where mines are brought.");
-  v.number("x_m", base.x_m, {0, 100000}, {"m", "Position from the west border. [ours]"});
-  v.number("y_m", base.y_m, {0, 100000}, {"m", "Position from the south border. [ours]"});
-  v.number("radius_m", base.radius_m, {0, 100}, {"m", "Apparent radius. [MissionLab]"});
-}
-
-void describe_mines(MineConfig& mines, ParameterVisitor& v) {
-  v.section("mines", "What is to be collected.");
-  v.integer("count", mines.count, {0, 1000},
-            {"", "How many are laid by chance. [ours: the paper is silent]"});
-  v.choice("layout", mines.layout, kLayouts,
-           {"",
-            "Anywhere, in discs round random places, or near the border. [paper: number, position "
-            "and proximity of mines varied]"});
-  v.integer("clusters", mines.clusters, {1, 1000}, {"", "Discs that mines lie in. [ours]"});
-  v.number("cluster_radius_m", mines.cluster_radius_m, {0, 100000},
-           {"m", "Radius of such a disc. [ours]"});
-  v.number("ring_inset_m", mines.ring_inset_m, {0, 100000},
-           {"m", "Distance of a ring of mines from the border. [ours]"});
-  v.number("keep_from_base_m", mines.keep_from_base_m, {0, 100000},
-           {"m", "No mine is laid nearer to the base than this. [ours: a way to go]"});
-  v.number("radius_m", mines.radius_m, {0.01, 100}, {"m", "Apparent radius. [MissionLab]"});
-  v.integer("seed", mines.seed, {0, 9e15},
-            {"", "Seed of their places alone; 0 follows the run's seed. [ours]"});
-  v.rows("places", mines.places, kPlaceColumns, {-1e5, 1e5},
-         {"m", "Mines at given places, beside those laid by chance. [ours]"});
-}
-
-void describe_dangers(ForageConfig& forage, ParameterVisitor& v) {
-  v.section("mud", "Terrain that robots get stuck in without seeing it.");
-  v.number("per_tick", forage.mud.per_tick, {0, 1},
-           {"",
-            "Chance that a robot gets stuck in a tick. [paper: a random occurrence for each robot; "
-            "rate ours]"});
-  HunterConfig& hunters = forage.hunters;
-  v.section("hunters", "Mobile enemies that hide outside and come to disable robots.");
-  v.integer("count", hunters.count, {0, 100}, {"", "How many. [paper: one]"});
-  v.number("speed_mps", hunters.speed_mps, {0, 1000},
-           {"m/s", "[ours: faster than a robot goes about its work]"});
-  v.number("radius_m", hunters.radius_m, {0.01, 100}, {"m", "Body radius. [MissionLab]"});
-  v.number("contact_m", hunters.contact_m, {0.01, 1000},
-           {"m", "It disables a robot this near, centre to centre. [paper: by touch]"});
-  v.integer("min_wait_ticks", hunters.min_wait_ticks, {0, 1e9},
-            {"ticks", "Shortest time in hiding. [ours]"});
-  v.integer("max_wait_ticks", hunters.max_wait_ticks, {0, 1e9},
-            {"ticks", "Longest time in hiding. [ours]"});
-  v.number("avoid_reach_m", hunters.avoid_reach_m, {0, 1000},
-           {"m", "Distance from a surface at which it starts to repel. [MissionLab]"});
-  v.number("avoid_margin_m", hunters.avoid_margin_m, {0, 1000},
-           {"m", "Distance from a surface at which it repels fully. [MissionLab]"});
-}
-
-void describe_reach(ForageConfig& forage, ParameterVisitor& v) {
-  ReachConfig& reach = forage.reach;
-  v.section("reach", "What robots can do with what is how near, centre to centre.");
-  v.number("pick_up_m", reach.pick_up_m, {0.01, 1000}, {"m", "Of picking a mine up. [MissionLab]"});
-  v.number("drop_m", reach.drop_m, {0.01, 1000},
-           {"m", "A mine dropped this near to the base is stored. [MissionLab]"});
-  v.number("intercept_m", reach.intercept_m, {0.01, 1000},
-           {"m", "Of destroying an enemy. [ours: beyond its touch, \"safely\" (paper)]"});
-  v.number("aid_m", reach.aid_m, {0.01, 1000},
-           {"m", "Of getting a disabled robot going again. [paper: by touch]"});
-  v.flag(
-      "revival_needs_aid", reach.revival_needs_aid,
-      {"",
-       "Whether a robot must mean to help, as Mechanics do, or any robot's touch will do. [ours: "
-       "the paper says both]"});
-  v.section("end", "When a mission counts as failed.");
-  v.integer("cap_ticks", forage.cap_ticks, {1, 1e9},
-            {"ticks", "It ends here and scores this. [paper: 1,000,000 iterations]"});
-}
-
-void describe_forage(ForageConfig& forage, ParameterVisitor& v) {
-  describe_base(forage.base, v);
-  describe_mines(forage.mines, v);
-  describe_dangers(forage, v);
-  describe_reach(forage, v);
-}
-
 void describe_physics(PhysicsConfig& physics, ParameterVisitor& v) {
   v.section("physics", "Time.");
   v.number("tick_s", physics.tick_s, {0.001, 10}, {"s", "One control cycle. [MissionLab]"});
@@ -205,30 +123,6 @@ void describe_physics(PhysicsConfig& physics, ParameterVisitor& v) {
             {"", "Bullet steps per tick. [ours: a body moves less than its radius in one]"});
   v.integer("checkpoint_ticks", physics.checkpoint_ticks, {1, 1e9},
             {"ticks", "Distance between checkpoints in the event log. [ours]"});
-}
-
-void refuse(bool wrong, const std::string& text) {
-  if (wrong) {
-    throw ConfigError(text);
-  }
-}
-
-bool inside(const AreaConfig& area, double x, double y) {
-  return x >= 0 && y >= 0 && x <= area.width_m && y <= area.height_m;
-}
-
-void check_forage(const WorldConfig& config) {
-  const ForageConfig& forage = config.forage;
-  refuse(forage.mines.count == 0 && forage.mines.places.empty(),
-         "[mines] count = 0: there are no mines; wanted at least 1, or some in places");
-  refuse(forage.hunters.min_wait_ticks > forage.hunters.max_wait_ticks,
-         "[hunters] min_wait_ticks is larger than max_wait_ticks; wanted min <= max");
-  refuse(forage.hunters.avoid_margin_m >= forage.hunters.avoid_reach_m,
-         "[hunters] avoid_margin_m is not below avoid_reach_m; wanted margin < reach");
-  for (const auto& place : forage.mines.places) {
-    refuse(!inside(config.area, place[0], place[1]),
-           "[mines] places holds a point outside the area; wanted all inside");
-  }
 }
 
 }  // namespace
@@ -245,7 +139,7 @@ void describe(WorldConfig& config, ParameterVisitor& visitor) {
   if (guard) {
     describe_enemies(config.enemies, visitor);
   } else {
-    describe_forage(config.forage, visitor);
+    describe(config.forage, visitor);
   }
   describe_physics(config.physics, visitor);
 }
@@ -280,28 +174,28 @@ void check(const WorldConfig& config) {
   const bool guard = config.mission == MissionKind::Guard;
   refuse(config.obstacles.min_radius_m > config.obstacles.max_radius_m,
          "[obstacles] min_radius_m is larger than max_radius_m; wanted min <= max");
-  refuse(!inside(config.area, middle.x_m, middle.y_m),
+  refuse(!config.area.holds(middle.x_m, middle.y_m),
          std::string(guard ? "[target]" : "[base]") +
              " x_m, y_m lie outside the area; wanted a point in it");
   refuse(config.robots.start == "ring" &&
-             !(inside(config.area, middle.x_m - config.robots.ring_radius_m,
-                      middle.y_m - config.robots.ring_radius_m) &&
-               inside(config.area, middle.x_m + config.robots.ring_radius_m,
-                      middle.y_m + config.robots.ring_radius_m)),
+             !(config.area.holds(middle.x_m - config.robots.ring_radius_m,
+                                 middle.y_m - config.robots.ring_radius_m) &&
+               config.area.holds(middle.x_m + config.robots.ring_radius_m,
+                                 middle.y_m + config.robots.ring_radius_m)),
          "[robots] ring_radius_m reaches outside the area; wanted the whole ring in it");
   if (guard) {
     refuse(config.enemies.avoid_margin_m >= config.enemies.avoid_reach_m,
            "[enemies] avoid_margin_m is not below avoid_reach_m; wanted margin < reach");
   } else {
-    check_forage(config);
+    check(config.forage, config.area);
   }
   for (const auto& wall : config.area.walls) {
-    refuse(!inside(config.area, wall[0], wall[1]) || !inside(config.area, wall[2], wall[3]),
+    refuse(!config.area.holds(wall[0], wall[1]) || !config.area.holds(wall[2], wall[3]),
            "[area] walls holds a point outside the area; wanted all inside");
   }
   for (const auto& disc : config.obstacles.discs) {
     refuse(disc[2] <= 0, "[obstacles] discs holds a radius that is not positive; wanted r > 0");
-    refuse(!inside(config.area, disc[0], disc[1]),
+    refuse(!config.area.holds(disc[0], disc[1]),
            "[obstacles] discs holds a centre outside the area; wanted all inside");
   }
 }
