@@ -87,11 +87,10 @@ std::string Recording::standing() {
     return "waiting for robots, " + std::to_string(status_.present) + " of " +
            std::to_string(status_.robots) + " are there";
   }
-  const std::string doings = listener_.doings();
   return progress_text({status_.tick, status_.last_tick, setting_.tick_s, ticks_per_s(),
-                        standing_text(recorder_.tally(), recorder_.directory().facts().robots)}) +
-         (status_.phase == RunPhase::Paused ? "  paused" : "") +
-         (doings.empty() ? "" : "  (" + doings + ')');
+                        standing_text(recorder_.tally(), recorder_.directory().facts().robots,
+                                      listener_.doings())}) +
+         (status_.phase == RunPhase::Paused ? "  paused" : "");
 }
 
 bool Recording::settled() const {

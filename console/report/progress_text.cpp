@@ -27,9 +27,11 @@ std::string forage_text(const Forage& forage, std::int64_t robots) {
 
 }  // namespace
 
-std::string standing_text(const Tally& tally, std::int64_t robots) {
+std::string standing_text(const Tally& tally, std::int64_t robots, const std::string& doings) {
   const auto& forage = tally.of<Forage>();
-  return forage.mines ? forage_text(forage, robots) : guard_text(tally.of<Enemies>());
+  const std::string mission =
+      forage.mines ? forage_text(forage, robots) : guard_text(tally.of<Enemies>());
+  return doings.empty() ? mission : mission + "  (" + doings + ')';
 }
 
 const std::string& doing(const Telemetry& telemetry) {

@@ -20,9 +20,11 @@ struct Progress {
   std::string standing;    ///< As `standing_text` words it.
 };
 
-/// How the mission stands, in a few words: enemies, or mines and able robots. `robots` is the size
-/// of the team.
-[[nodiscard]] std::string standing_text(const Tally& tally, std::int64_t robots);
+/// How the mission stands, in a few words: enemies, or mines and able robots; then, in brackets,
+/// what the robots are at, if they are at anything. `robots` is the size of the team, `doings` is
+/// as `doings_text` words it.
+[[nodiscard]] std::string standing_text(const Tally& tally, std::int64_t robots,
+                                        const std::string& doings = {});
 
 /// What a brain is at: its role, or the situation that it sees itself in; may be empty.
 [[nodiscard]] const std::string& doing(const Telemetry& telemetry);

@@ -152,9 +152,7 @@ class Run {
       brain.report(telemetry);
       doings[telemetry.robot] = doing(telemetry);
     }
-    const std::string text = doings_text(doings);
-    return standing_text(recorder_.tally(), plan_.setup.world.robots.count) +
-           (text.empty() ? "" : "  (" + text + ')');
+    return standing_text(recorder_.tally(), plan_.setup.world.robots.count, doings_text(doings));
   }
 
   [[nodiscard]] double elapsed_s() const { return Seconds(Clock::now() - begin_).count(); }

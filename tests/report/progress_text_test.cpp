@@ -44,6 +44,13 @@ TEST(StandingText, OfForagersCountsMinesAndAbleRobots) {
   EXPECT_EQ(standing_text(tally, 6), "mines left 19/20  able 5/6");
 }
 
+TEST(StandingText, EndsWithWhatTheRobotsAreAtIfThatIsKnown) {
+  const Tally tally = tally_of({ForageBegun{20}});
+  EXPECT_EQ(standing_text(tally, 4, "3 Forager, 1 Soldier"),
+            "mines left 20/20  able 4/4  (3 Forager, 1 Soldier)");
+  EXPECT_EQ(standing_text(tally, 4, ""), "mines left 20/20  able 4/4");
+}
+
 TEST(DoingsText, CountsRobotsByRoleOrSituation) {
   Telemetry forager;
   forager.role = "Forager";
