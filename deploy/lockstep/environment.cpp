@@ -11,15 +11,8 @@ namespace {
 
 /// A start ring fits round a base that is so far from every border.
 constexpr double kRoom_m = 6.0;
-
-Setup forage_setup() {
-  Setup setup;
-  setup.run.mission = name(MissionKind::Forage);
-  setup.run.duration_s = 1e6;
-  setup.world = world_defaults(MissionKind::Forage);
-  setup.brain = brain_defaults(MissionKind::Forage);
-  return setup;
-}
+/// Longer than a mission can take, whose ticks of a second are capped.
+constexpr double kDuration_s = 1e6;
 
 void draw_mines(MineConfig& mines, Stream& chance) {
   constexpr std::array<const char*, 3> kLayouts{"scattered", "clusters", "ring"};
@@ -48,7 +41,8 @@ void draw_obstacles(ObstacleConfig& obstacles, Stream& chance) {
 
 Setup drawn_environment(std::int64_t seed) {
   Stream chance(static_cast<std::uint64_t>(seed), "environment");
-  Setup setup = forage_setup();
+  Setup setup = setup_for(MissionKind::Forage);
+  setup.run.duration_s = kDuration_s;
   setup.run.name = "forage_" + std::to_string(seed);
   setup.run.description = "An environment drawn by chance, number " + std::to_string(seed);
   draw_mines(setup.world.forage.mines, chance);

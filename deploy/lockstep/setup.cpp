@@ -7,12 +7,19 @@ namespace {
 void adopt_mission(Setup& setup) {
   const MissionKind mission = mission_kind(setup.run);
   if (setup.world.mission != mission) {
-    setup.world = world_defaults(mission);
-    setup.brain = brain_defaults(mission);
+    const Setup defaults = setup_for(mission);
+    setup.world = defaults.world;
+    setup.brain = defaults.brain;
   }
 }
 
 }  // namespace
+
+Setup setup_for(MissionKind mission) {
+  Setup setup{{}, world_defaults(mission), brain_defaults(mission)};
+  setup.run.mission = name(mission);
+  return setup;
+}
 
 void describe(Setup& setup, ParameterVisitor& visitor) {
   describe(setup.run, visitor);

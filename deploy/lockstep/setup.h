@@ -15,6 +15,9 @@ struct Setup {
   BrainConfig brain;
 };
 
+/// The defaults for a mission.
+[[nodiscard]] Setup setup_for(MissionKind mission);
+
 /// Every parameter of a scenario, section by section.
 void describe(Setup& setup, ParameterVisitor& visitor);
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "console/record/event_log.h"
+#include "deploy/lockstep/setup.h"
 #include "deploy/lockstep/team.h"
 
 namespace tacit {
@@ -24,8 +25,7 @@ const std::string kFile = TACIT_SOURCE_DIR "/tests/determinism/golden.txt";
 /// A run from its name and what it is made of.
 struct GoldenRun {
   std::string name;
-  WorldConfig world;
-  BrainConfig brain;
+  Setup setup;
   std::uint64_t seed = 1;
   Tick last_tick = 0;
 };
@@ -35,9 +35,9 @@ GoldenRun guard(const char* learner, std::int64_t strategy, std::int64_t robots,
   GoldenRun run;
   run.name = std::string(learner) + " strategy " + std::to_string(strategy) + " robots " +
              std::to_string(robots) + " seed " + std::to_string(seed);
-  run.world.enemies.strategy = strategy;
-  run.world.robots.count = robots;
-  run.brain.learner = learner;
+  run.setup.world.enemies.strategy = strategy;
+  run.setup.world.robots.count = robots;
+  run.setup.brain.learner = learner;
   run.seed = seed;
   run.last_tick = kGuardTicks;
   return run;
@@ -45,16 +45,16 @@ GoldenRun guard(const char* learner, std::int64_t strategy, std::int64_t robots,
 
 /// With many dangers and some obstacles, so that every rule has its turn.
 GoldenRun forage(const char* learner, std::int64_t robots, std::uint64_t seed) {
-  GoldenRun run{{}, world_defaults(MissionKind::Forage), brain_defaults(MissionKind::Forage)};
+  GoldenRun run{{}, setup_for(MissionKind::Forage)};
   run.name = std::string("forage ") + learner + " robots " + std::to_string(robots) + " seed " +
              std::to_string(seed);
-  run.world.robots.count = robots;
-  run.world.obstacles.coverage_percent = 2.0;
-  run.world.forage.mud.per_tick = 0.0005;
-  run.world.forage.hunters.count = 2;
-  run.world.forage.hunters.min_wait_ticks = 50;
-  run.world.forage.hunters.max_wait_ticks = 200;
-  run.brain.learner = learner;
+  run.setup.world.robots.count = robots;
+  run.setup.world.obstacles.coverage_percent = 2.0;
+  run.setup.world.forage.mud.per_tick = 0.0005;
+  run.setup.world.forage.hunters.count = 2;
+  run.setup.world.forage.hunters.min_wait_ticks = 50;
+  run.setup.world.forage.hunters.max_wait_ticks = 200;
+  run.setup.brain.learner = learner;
   run.seed = seed;
   run.last_tick = kForageTicks;
   return run;
@@ -73,7 +73,7 @@ std::vector<GoldenRun> golden_runs() {
 
 // SHA-256 of the event log.
 std::string outcome(const GoldenRun& run) {
-  Team team(run.world, run.brain, run.seed);
+  Team team(run.setup.world, run.setup.brain, run.seed);
   EventHash hash;
   while (!team.done(run.last_tick)) {
     hash.add(team.step());

@@ -20,11 +20,8 @@ Setup soldiers() {
 
 /// Two foragers that run out of time soon.
 Setup foragers() {
-  Setup setup;
-  setup.run.mission = "forage";
+  Setup setup = setup_for(MissionKind::Forage);
   setup.run.duration_s = 600.0;
-  setup.world = world_defaults(MissionKind::Forage);
-  setup.brain = brain_defaults(MissionKind::Forage);
   setup.world.robots.count = 2;
   setup.world.forage.cap_ticks = 200;
   return setup;

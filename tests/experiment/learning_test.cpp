@@ -11,12 +11,9 @@ constexpr std::int64_t kTrials = 20;
 
 /// Six foragers in the field of twenty mines.
 Setup foragers(std::int64_t first_seed) {
-  Setup setup;
-  setup.run.mission = "forage";
+  Setup setup = setup_for(MissionKind::Forage);
   setup.run.seed = first_seed;
   setup.run.duration_s = 1e6;
-  setup.world = world_defaults(MissionKind::Forage);
-  setup.brain = brain_defaults(MissionKind::Forage);
   setup.world.forage.mines.seed = 102;
   setup.world.forage.cap_ticks = 50'000;
   return setup;

@@ -30,6 +30,12 @@ TEST(Setup, OfAnEmptyFileHasTheDefaults) {
   EXPECT_EQ(printed(setup_of("")), printed(tacit::Setup{}));
 }
 
+TEST(Setup, ForAMissionIsThatOfAFileThatNamesNothingElse) {
+  EXPECT_EQ(printed(setup_for(MissionKind::Guard)), printed(setup_of("")));
+  EXPECT_EQ(printed(setup_for(MissionKind::Forage)),
+            printed(setup_of("[scenario]\nmission = \"forage\"\n")));
+}
+
 TEST(Setup, ReachesRunWorldAndBrain) {
   const tacit::Setup setup =
       setup_of("[run]\nseed = 5\n[robots]\ncount = 3\n[brain]\nlearner = \"static2\"\n");
