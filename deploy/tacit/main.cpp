@@ -6,8 +6,8 @@
 #include "console/record/record_error.h"
 #include "deploy/tacit/commands.h"
 #include "deploy/tacit/say.h"
-#include "idl/scenario/nearest_word.h"
 #include "idl/types/config_error.h"
+#include "idl/types/nearest_word.h"
 #include "idl/version/version.h"
 
 namespace tacit {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "idl/scenario/nearest_word.h"
 #include "idl/types/config_error.h"
+#include "idl/types/nearest_word.h"
 
 namespace tacit {
 namespace {

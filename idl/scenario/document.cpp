@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "idl/scenario/nearest_word.h"
 #include "idl/scenario/values.h"
 #include "idl/types/config_error.h"
+#include "idl/types/nearest_word.h"
 
 namespace tacit {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "idl/scenario/document.h"
-#include "idl/scenario/nearest_word.h"
 #include "idl/scenario/values.h"
 #include "idl/types/config_error.h"
+#include "idl/types/nearest_word.h"
 
 namespace tacit {
 namespace {

@@ -1,4 +1,4 @@
-#include "idl/scenario/nearest_word.h"
+#include "idl/types/nearest_word.h"
 
 #include <algorithm>
 #include <cstddef>
