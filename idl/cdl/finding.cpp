@@ -1,0 +1,37 @@
+#include "idl/cdl/finding.h"
+
+#include <algorithm>
+
+namespace tacit::cdl {
+
+std::string to_text(const Finding& finding, std::string_view file) {
+  std::string text(file);
+  text += ':' + std::to_string(finding.line) + ':' + std::to_string(finding.column);
+  text += finding.severity == Severity::Error ? ": error: " : ": warning: ";
+  return text + finding.text + " [" + finding.rule + ']';
+}
+
+bool has_error(const Findings& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& finding) { return finding.severity == Severity::Error; });
+}
+
+void locate(Findings& findings, std::string_view text) {
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.offset < b.offset; });
+  std::size_t line = 1;
+  std::size_t line_begin = 0;
+  std::size_t at = 0;
+  for (Finding& finding : findings) {
+    for (; at < finding.offset && at < text.size(); ++at) {
+      if (text[at] == '\n') {
+        ++line;
+        line_begin = at + 1;
+      }
+    }
+    finding.line = line;
+    finding.column = at - line_begin + 1;
+  }
+}
+
+}  // namespace tacit::cdl

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tacit::cdl {
+
+enum class Severity { Error, Warning };
+
+/// Something to tell the author of a mission.
+struct Finding {
+  Severity severity = Severity::Error;
+  std::string rule;          ///< Which check, in one word: "undefined-name".
+  std::string text;          ///< What was found and what was wanted.
+  std::uint32_t offset = 0;  ///< Byte of the text.
+  std::size_t line = 0;      ///< From 1.
+  std::size_t column = 0;    ///< In bytes, from 1.
+};
+
+using Findings = std::vector<Finding>;
+
+/// "file:line:column: error: text [rule]".
+[[nodiscard]] std::string to_text(const Finding& finding, std::string_view file);
+
+[[nodiscard]] bool has_error(const Findings& findings);
+
+/// Sets line and column of each from its offset in `text`, and sorts them by offset.
+void locate(Findings& findings, std::string_view text);
+
+}  // namespace tacit::cdl

@@ -1,0 +1,44 @@
+#include "tests/cdl/missionlab_samples.h"
+
+#include <gtest/gtest.h>
+
+#include "idl/cdl/parse.h"
+#include "idl/cdl/print.h"
+
+namespace tacit::cdl {
+namespace {
+
+class MissionLabSamples : public testing::Test {
+ protected:
+  void SetUp() override {
+    samples_ = missionlab_samples();
+    if (samples_.empty()) {
+      GTEST_SKIP() << "TACIT_MISSIONLAB_SAMPLES names no folder with MissionLab's .cdl files";
+    }
+  }
+  std::vector<SampleFile> samples_;
+};
+
+TEST_F(MissionLabSamples, ParseWithoutError) {
+  for (const SampleFile& sample : samples_) {
+    for (const Finding& finding : parse(sample.text).findings) {
+      ADD_FAILURE() << to_text(finding, sample.name);
+    }
+  }
+}
+
+TEST_F(MissionLabSamples, PrintBackByteForByte) {
+  for (const SampleFile& sample : samples_) {
+    EXPECT_EQ(print(parse(sample.text).mission, sample.text), sample.text) << sample.name;
+  }
+}
+
+TEST_F(MissionLabSamples, AreTheSameMissionInTheHouseLayout) {
+  for (const SampleFile& sample : samples_) {
+    const Mission mission = parse(sample.text).mission;
+    EXPECT_EQ(parse(print(mission)).mission, mission) << sample.name;
+  }
+}
+
+}  // namespace
+}  // namespace tacit::cdl
