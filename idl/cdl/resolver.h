@@ -1,7 +1,10 @@
 #pragma once
 
 #include <set>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "idl/cdl/names.h"
 #include "idl/cdl/resolve.h"
@@ -32,7 +35,6 @@ class Resolver {
   Behaviour of_reference(const Expression& reference, const Scope& scope, int depth);
   Behaviour of_instance(const Expression& instance, const Scope& scope, int depth);
   Automaton automaton(const Expression& instance, const Scope& scope, int depth);
-  void add_rule(Automaton& automaton, const Item& item, const Scope& scope, int depth);
   WeightedSum weighted_sum(const Expression& instance, const Scope& scope, int depth);
   Learner learner(const Expression& instance, const Scope& scope, int depth);
   std::vector<Member> members(const Expression& instance, std::string_view slot, const Scope& scope,

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "idl/cdl/resolver.h"
@@ -8,13 +8,14 @@ namespace {
 
 using Kind = Expression::Kind;
 
-State* find_state(Automaton& automaton, std::string_view name) {
-  for (State& state : automaton.states) {
-    if (state.name == name) {
-      return &state;
-    }
+/// The first part of each name.
+template <typename Part, typename NameOf>
+std::map<std::string, Part*> by_name(std::vector<Part>& parts, NameOf name_of) {
+  std::map<std::string, Part*> index;
+  for (Part& part : parts) {
+    index.emplace(name_of(part), &part);
   }
-  return nullptr;
+  return index;
 }
 
 std::vector<Parameter> copy_of(const std::vector<Parameter>* parameters) {
@@ -97,32 +98,29 @@ Automaton Resolver::automaton(const Expression& instance, const Scope& scope, in
       made.states.push_back(std::move(state));
     }
   }
+  const auto states = by_name(made.states, [](const State& state) { return state.name; });
   for (const Item& item : instance.items) {
-    add_rule(made, item, scope, depth);
+    const bool is_rule = item.slot && item.slot->name == "rules" && item.slot->index &&
+                         item.value.kind == Kind::Rule && !item.value.items.empty();
+    const auto state = is_rule ? states.find(*item.slot->index) : states.end();
+    if (state != states.end()) {
+      Behaviour trigger = behaviour(item.value.items.front().value, scope, depth);
+      state->second->rules.push_back({std::move(trigger), item.value.name, item.span});
+    }
   }
   return made;
 }
 
-void Resolver::add_rule(Automaton& automaton, const Item& item, const Scope& scope, int depth) {
-  const bool is_rule = item.slot && item.slot->name == "rules" && item.slot->index &&
-                       item.value.kind == Kind::Rule && !item.value.items.empty();
-  State* state = is_rule ? find_state(automaton, *item.slot->index) : nullptr;
-  if (state != nullptr) {
-    Behaviour trigger = behaviour(item.value.items.front().value, scope, depth);
-    state->rules.push_back({std::move(trigger), item.value.name, item.span});
-  }
-}
-
 WeightedSum Resolver::weighted_sum(const Expression& instance, const Scope& scope, int depth) {
   WeightedSum made{members(instance, "members", scope, depth)};
+  const auto by_index = by_name(made.members, [](const Member& member) { return member.index; });
   for (const Item& item : instance.items) {
     if (!item.slot || item.slot->name != "weight" || item.value.kind != Kind::Value) {
       continue;
     }
-    for (Member& member : made.members) {
-      if (member.index == item.slot->index.value_or("")) {
-        member.weight = effective(item, scope);
-      }
+    const auto weighed = by_index.find(item.slot->index.value_or(""));
+    if (weighed != by_index.end()) {
+      weighed->second->weight = effective(item, scope);
     }
   }
   return made;
