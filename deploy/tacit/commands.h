@@ -13,6 +13,7 @@ void add_learn(CLI::App& app, Exit& ending);
 void add_experiment(CLI::App& app, Exit& ending);
 void add_scenarios(CLI::App& app, Exit& ending);
 void add_policy(CLI::App& app, Exit& ending);
+void add_mission(CLI::App& app, Exit& ending);
 void add_verify(CLI::App& app, Exit& ending);
 void add_doctor(CLI::App& app, Exit& ending);
 

@@ -41,6 +41,7 @@ Exit command_line(int argc, char** argv) {
   add_scenarios(app, ending);
   add_verify(app, ending);
   add_policy(app, ending);
+  add_mission(app, ending);
   add_doctor(app, ending);
   refuse_unknown_command(app, argc > 1 ? argv[1] : "");
   try {

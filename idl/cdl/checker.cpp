@@ -15,6 +15,7 @@ using Kind = Expression::Kind;
 
 /// Comparing with every known name takes time; a mission with more findings has other troubles.
 constexpr std::size_t kMostHints = 200;
+constexpr std::size_t kMostCompared = 1000;
 constexpr std::size_t kLongestHinted = 64;
 
 void check_team(const Mission& mission, Findings& findings) {
@@ -52,7 +53,9 @@ Checker::Checker(const Mission& mission)
     : mission_(mission),
       names_(mission),
       known_names_(names_.all()),
-      references_(mission.statements.size()) {}
+      references_(mission.statements.size()) {
+  known_names_.resize(std::min(known_names_.size(), kMostCompared));
+}
 
 Findings Checker::run() {
   doubles();

@@ -17,8 +17,8 @@ std::string listed(const Findings& findings) {
 }
 
 std::vector<SourceFile> pure_sources() {
-  return sources(TACIT_SOURCE_DIR, {"idl/types", "robot_agent/brain", "world_server/world",
-                                    "console/metrics", "console/report"});
+  return sources(TACIT_SOURCE_DIR, {"idl/types", "idl/cdl", "robot_agent/brain",
+                                    "world_server/world", "console/metrics", "console/report"});
 }
 
 std::vector<SourceFile> all_sources() {
@@ -93,6 +93,7 @@ TEST(Middleware, IsFoundOutsideItsPlace) {
             1U);
   EXPECT_EQ(misplaced_middleware({{"deploy/tacit/main.cpp", "#include <toml++/toml.h>"}}).size(),
             1U);
+  EXPECT_EQ(misplaced_middleware({{"idl/scenario/x.cpp", "#include <tao/pegtl.hpp>"}}).size(), 1U);
 }
 
 TEST(Middleware, IsLeftAloneInItsPlace) {
