@@ -81,7 +81,10 @@ std::string caption(const Behaviour& behaviour) {
   for (const Parameter& parameter : behaviour.parameters) {
     values += (values.empty() ? "" : ", ") + shown(parameter.value);
   }
-  const bool described = !behaviour.description.empty() && behaviour.name != "FSA";
+  // What the library has is best known by its name.
+  const auto* primitive = std::get_if<Primitive>(&behaviour.form);
+  const bool named = primitive != nullptr && primitive->inputs.empty();
+  const bool described = !named && !behaviour.description.empty() && behaviour.name != "FSA";
   const std::string name = described ? behaviour.description : behaviour.name;
   return values.empty() ? name : name + '(' + values + ')';
 }

@@ -4,6 +4,7 @@
 
 #include "idl/cdl/parse.h"
 #include "idl/cdl/print.h"
+#include "idl/cdl/resolve.h"
 
 namespace tacit::cdl {
 namespace {
@@ -30,6 +31,15 @@ TEST_F(MissionLabSamples, ParseWithoutError) {
 TEST_F(MissionLabSamples, PrintBackByteForByte) {
   for (const SampleFile& sample : samples_) {
     EXPECT_EQ(print(parse(sample.text).mission, sample.text), sample.text) << sample.name;
+  }
+}
+
+TEST_F(MissionLabSamples, HaveRobotsWithActuators) {
+  for (const SampleFile& sample : samples_) {
+    const Resolved resolved = resolve(parse(sample.text).mission);
+    ASSERT_FALSE(resolved.robots.empty()) << sample.name;
+    EXPECT_FALSE(resolved.robots.front().actuators.empty()) << sample.name;
+    EXPECT_TRUE(resolved.findings.empty()) << sample.name;
   }
 }
 
