@@ -7,7 +7,7 @@
 
 namespace tacit::cdl {
 
-/// Lists in lists: deeper is refused, so that no file can exhaust the stack.
+/// Lists and rules in each other: deeper is refused, so that no file can exhaust the stack.
 inline constexpr int kDeepest = 200;
 /// Errors after which the rest is not read.
 inline constexpr std::size_t kMostErrors = 50;

@@ -125,6 +125,7 @@ Expression Parser::named(std::string word, std::uint32_t begin) {
 }
 
 Expression Parser::rule(std::uint32_t begin) {
+  deeper(begin);
   Expression made;
   made.kind = Expression::Kind::Rule;
   Item condition;
@@ -141,16 +142,14 @@ Expression Parser::rule(std::uint32_t begin) {
   }
   advance();
   made.name = expect_word("the name of a state behind \"goto\"");
+  --depth_;
   made.span = {begin, last_end_};
   return made;
 }
 
 void Parser::list(Expression& owner, char opening, char closing) {
-  const std::uint32_t begin = token_.begin;
+  deeper(token_.begin);
   expect(opening);
-  if (++depth_ > kDeepest) {
-    throw Refusal{begin, "lists in lists, " + std::to_string(kDeepest) + " deep, wanted fewer"};
-  }
   while (!token_.is(closing)) {
     owner.items.push_back(item());
     if (token_.is(closing)) {
@@ -165,12 +164,20 @@ void Parser::list(Expression& owner, char opening, char closing) {
   --depth_;
 }
 
+void Parser::deeper(std::uint32_t begin) {
+  if (++depth_ > kDeepest) {
+    throw Refusal{begin, "lists and rules in each other, more than " + std::to_string(kDeepest) +
+                             " deep, wanted fewer"};
+  }
+}
+
 Item Parser::item() {
   Item made;
   made.comments = take_comments();
   made.span.begin = token_.begin;
   const bool is_parameter = token_.kind == Token::Kind::Parameter;
-  if (token_.kind != Token::Kind::Word && !is_parameter) {
+  const bool is_named = token_.kind == Token::Kind::Word && token_.text != "if";
+  if (!is_named && !is_parameter) {
     made.value = expression();
     if (made.value.kind == Expression::Kind::Nothing) {
       refuse(found() + ", wanted a name, a value, \"[\" or \"name = …\"");
@@ -197,7 +204,7 @@ Item Parser::item() {
     made.value.description = std::move(slot.description);
     made.value.span = {made.span.begin, last_end_};
   } else {
-    made.value = word == "if" ? rule(made.span.begin) : named(std::move(word), made.span.begin);
+    made.value = named(std::move(word), made.span.begin);
   }
   made.span.end = last_end_;
   return made;

@@ -34,6 +34,7 @@ class Parser {
   Expression named(std::string word, std::uint32_t begin);
   Expression rule(std::uint32_t begin);
   void list(Expression& owner, char opening, char closing);
+  void deeper(std::uint32_t begin);
   Item item();
   void tail(Expression& expression);
   void headings(std::optional<Place>& place, std::optional<std::string>& description);
