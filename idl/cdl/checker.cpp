@@ -52,10 +52,8 @@ Findings check_text(std::string_view source) {
 Checker::Checker(const Mission& mission)
     : mission_(mission),
       names_(mission),
-      known_names_(names_.all()),
-      references_(mission.statements.size()) {
-  known_names_.resize(std::min(known_names_.size(), kMostCompared));
-}
+      known_names_(names_.first(kMostCompared, kLongestHinted)),
+      references_(mission.statements.size()) {}
 
 Findings Checker::run() {
   doubles();
@@ -65,7 +63,7 @@ Findings Checker::run() {
     walk(statement.body, is_team ? Wanted::Statement : Wanted::Any);
   }
   circles();
-  return std::move(findings_);
+  return findings_.take();
 }
 
 void Checker::walk(const Expression& expression, Wanted wanted) {
@@ -101,11 +99,8 @@ void Checker::reference(const Expression& reference, Wanted wanted) {
 }
 
 void Checker::undefined(const Expression& reference) {
-  const bool hinted = findings_.size() < kMostHints && reference.name.size() < kLongestHinted;
   find(Severity::Error, "undefined-name",
-       "nothing is called " + reference.name +
-           (hinted ? did_you_mean(reference.name, known_names_) : ""),
-       reference.span);
+       "nothing is called " + reference.name + hint(reference.name, known_names_), reference.span);
 }
 
 void Checker::unknown(const Expression& reference, Wanted wanted) {
@@ -118,11 +113,10 @@ void Checker::unknown(const Expression& reference, Wanted wanted) {
   if (behaviour || trigger) {
     return;
   }
-  const bool hinted = findings_.size() < kMostHints && reference.name.size() < kLongestHinted;
   const auto& words = wanted == Wanted::Trigger ? kTriggers : kBehaviours;
   find(Severity::Warning, wanted == Wanted::Trigger ? "unknown-trigger" : "unknown-behaviour",
        "the " + std::string(wanted == Wanted::Trigger ? "trigger " : "behaviour ") +
-           reference.name + " is not known" + (hinted ? did_you_mean(reference.name, words) : ""),
+           reference.name + " is not known" + hint(reference.name, words),
        reference.span);
 }
 
@@ -155,10 +149,8 @@ void Checker::parameter(const Item& item, const Expression& body,
     for (const VocabularyRow& one : known) {
       names.emplace_back(one.parameter);
     }
-    const bool hinted = findings_.size() < kMostHints && name.size() < kLongestHinted;
     find(Severity::Warning, "unknown-parameter",
-         body.name + " has no parameter " + name + (hinted ? did_you_mean(name, names) : ""),
-         item.span);
+         body.name + " has no parameter " + name + hint(name, names), item.span);
     return;
   }
   if (item.value.kind != Kind::Value) {
@@ -174,8 +166,13 @@ void Checker::parameter(const Item& item, const Expression& body,
   }
 }
 
+std::string Checker::hint(std::string_view name, const std::vector<std::string>& known) const {
+  const bool hinted = findings_.size() < kMostHints && name.size() <= kLongestHinted;
+  return hinted ? did_you_mean(name, known) : "";
+}
+
 void Checker::find(Severity severity, const char* rule, std::string text, const Span& span) {
-  findings_.push_back({severity, rule, std::move(text), span.begin, 0, 0});
+  findings_.add({severity, rule, std::move(text), span.begin, 0, 0});
 }
 
 }  // namespace tacit::cdl

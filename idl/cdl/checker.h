@@ -43,6 +43,8 @@ class Checker {
 
   void doubles();
   void circles();
+  [[nodiscard]] std::string hint(std::string_view name,
+                                 const std::vector<std::string>& known) const;
   void find(Severity severity, const char* rule, std::string text, const Span& span);
 
   const Mission& mission_;
@@ -50,7 +52,7 @@ class Checker {
   std::vector<std::string> known_names_;
   std::vector<std::vector<const Expression*>> references_;  ///< Of each statement.
   std::size_t statement_ = 0;
-  Findings findings_;
+  FindingList findings_;
 };
 
 }  // namespace tacit::cdl

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "idl/cdl/checker.h"
-#include "idl/types/nearest_word.h"
+#include "idl/cdl/label.h"
 
 namespace tacit::cdl {
 namespace {
@@ -28,7 +28,7 @@ Targets targets(const Expression& automaton) {
 
 /// "State3 ($AN_12)": what the editor shows and what the file says.
 std::string shown(std::string_view name, const Item& state) {
-  const std::string label = state.slot->description.value_or("");
+  const std::string label = label_of(state.slot->description.value_or(""));
   return label.empty() || label == name ? std::string(name)
                                         : label + " (" + std::string(name) + ')';
 }
@@ -43,15 +43,17 @@ bool is_ending(const Item& state) {
          std::find(kEndings.begin(), kEndings.end(), body->name) != kEndings.end();
 }
 
-std::string hint(std::string_view name, const std::map<std::string_view, const Item*>& states) {
+/// Names to compare a wrong one with; comparing takes time for each letter.
+std::vector<std::string> some_names(const std::map<std::string_view, const Item*>& states) {
   constexpr std::size_t kMostCompared = 100;
+  constexpr std::size_t kLongestCompared = 64;
   std::vector<std::string> names;
   for (const auto& [state, item] : states) {
-    if (names.size() < kMostCompared) {
+    if (names.size() < kMostCompared && state.size() <= kLongestCompared) {
       names.emplace_back(state);
     }
   }
-  return name.size() < kMostCompared ? did_you_mean(name, names) : "";
+  return names;
 }
 
 }  // namespace
@@ -79,15 +81,14 @@ Checker::States Checker::states(const Expression& instance) {
 }
 
 void Checker::rules(const Expression& instance, const States& states) {
-  constexpr std::size_t kMostHinted = 200;
+  const std::vector<std::string> names = some_names(states);
   for (const Item& item : instance.items) {
     if (!is_indexed(item, "rules")) {
       continue;
     }
     const std::string& from = *item.slot->index;
     const auto add = [&](const char* rule, const std::string& text, const std::string& name) {
-      const bool hinted = findings_.size() < kMostHinted;
-      find(Severity::Error, rule, text + name + (hinted ? hint(name, states) : ""), item.span);
+      find(Severity::Error, rule, text + name + hint(name, names), item.span);
     };
     if (!states.contains(from)) {
       add("rule-of-no-state", "a rule of a state that is not there: ", from);

@@ -5,10 +5,10 @@
 #include <map>
 #include <utility>
 
+#include "idl/cdl/label.h"
+
 namespace tacit::cdl {
 namespace {
-
-constexpr std::size_t kLongestLabel = 80;
 
 std::string shown(double number) {
   std::array<char, 32> text{};
@@ -40,42 +40,6 @@ std::string shown(const Value& value) {
   return std::visit(Text{}, value);
 }
 
-/// Bytes of the UTF-8 letter that `text` begins with; 0 when it begins with none.
-std::size_t letter_length(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xC2 ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if (i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) {
-      return 0;
-    }
-  }
-  const unsigned char second = length > 2 ? static_cast<unsigned char>(text[1]) : 0xA0;
-  // Overlong forms, surrogates and what lies beyond Unicode.
-  const bool wrong = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) ||
-                     (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F);
-  return wrong ? 0 : length;
-}
-
-std::string clean(std::string_view text) {
-  std::string made;
-  while (!text.empty() && made.size() < kLongestLabel) {
-    const std::size_t length = letter_length(text);
-    const bool control = static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7F;
-    if (length == 0 || control) {
-      made += control ? ' ' : '?';
-    } else {
-      made += text.substr(0, length);
-    }
-    text.remove_prefix(length == 0 ? 1 : length);
-  }
-  return made + (text.empty() ? "" : "…");
-}
-
 std::string caption(const Behaviour& behaviour) {
   std::string values;
   for (const Parameter& parameter : behaviour.parameters) {
@@ -94,7 +58,7 @@ std::string state_label(const State& state) {
   const std::string what =
       state.behaviour.description.empty() ? state.behaviour.name : state.behaviour.description;
   const std::string label = state.label.empty() ? state.name : state.label;
-  return clean(what.empty() || what == label ? label : label + ": " + what);
+  return label_of(what.empty() || what == label ? label : label + ": " + what);
 }
 
 void fill(Box& box, const Behaviour& behaviour);
@@ -116,7 +80,7 @@ void fill(Box& box, const Automaton& automaton) {
       const auto to = ids.find(rule.target);
       if (to != ids.end()) {
         box.arrows.push_back(
-            {box.inside[i].id, to->second, rule.trigger.name, clean(caption(rule.trigger))});
+            {box.inside[i].id, to->second, rule.trigger.name, label_of(caption(rule.trigger))});
       }
     }
   }
@@ -128,7 +92,7 @@ void fill(Box& box, const std::vector<Member>& members) {
     Box inner;
     inner.id = box.id + "_m" + std::to_string(box.inside.size());
     const std::string weight = shown(member.weight);
-    inner.label = clean((weight.empty() ? "" : weight + " × ") + caption(member.behaviour));
+    inner.label = label_of((weight.empty() ? "" : weight + " × ") + caption(member.behaviour));
     fill(inner, member.behaviour);
     box.inside.push_back(std::move(inner));
   }
@@ -148,7 +112,7 @@ void fill(Box& box, const Behaviour& behaviour) {
 Box box_of(const Device& device, const std::string& id) {
   Box box;
   box.id = id;
-  box.label = clean(device.name + ": " + device.type);
+  box.label = label_of(device.name + ": " + device.type);
   if (device.inputs.size() == 1) {
     fill(box, device.inputs.front().behaviour);
   } else {
@@ -167,7 +131,7 @@ Box diagram_of(const std::vector<Robot>& robots) {
   for (const Robot& robot : robots) {
     Box box;
     box.id = "r" + std::to_string(team.inside.size());
-    box.label = clean(robot.name + " (" + robot.type + ')');
+    box.label = label_of(robot.name + " (" + robot.type + ')');
     box.concurrent = true;
     for (const Device& device : robot.actuators) {
       box.inside.push_back(box_of(device, box.id + "_d" + std::to_string(box.inside.size())));

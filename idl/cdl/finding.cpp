@@ -4,6 +4,18 @@
 
 namespace tacit::cdl {
 
+void FindingList::add(Finding finding) {
+  std::size_t& told = finding.severity == Severity::Error ? errors_ : warnings_;
+  if (told == kMostFindings) {
+    finding.rule = "too-many";
+    finding.text = "more than " + std::to_string(kMostFindings) + " findings, the rest is not told";
+  }
+  if (told <= kMostFindings) {
+    findings_.push_back(std::move(finding));
+    ++told;
+  }
+}
+
 std::string to_text(const Finding& finding, std::string_view file) {
   std::string text(file);
   text += ':' + std::to_string(finding.line) + ':' + std::to_string(finding.column);

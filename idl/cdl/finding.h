@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tacit::cdl {
@@ -20,6 +21,22 @@ struct Finding {
 };
 
 using Findings = std::vector<Finding>;
+
+/// Findings of each severity that are told; a broken file of any size can have no more.
+inline constexpr std::size_t kMostFindings = 1000;
+
+/// Collects findings, not yet located. What is too much of a severity is said once and left out.
+class FindingList {
+ public:
+  void add(Finding finding);
+  [[nodiscard]] std::size_t size() const { return findings_.size(); }
+  [[nodiscard]] Findings take() { return std::move(findings_); }
+
+ private:
+  Findings findings_;
+  std::size_t errors_ = 0;
+  std::size_t warnings_ = 0;
+};
 
 /// "file:line:column: error: text [rule]".
 [[nodiscard]] std::string to_text(const Finding& finding, std::string_view file);

@@ -32,11 +32,12 @@ std::vector<const Statement*> Names::doubles() const {
   return doubles;
 }
 
-std::vector<std::string> Names::all() const {
+std::vector<std::string> Names::first(std::size_t most, std::size_t longest) const {
   std::vector<std::string> names;
   for (const Statement* statement : by_name_) {
-    if (names.empty() || names.back() != statement->name) {
-      names.push_back(statement->name);
+    const std::string& name = statement->name;
+    if (names.size() < most && name.size() <= longest && (names.empty() || names.back() != name)) {
+      names.push_back(name);
     }
   }
   return names;

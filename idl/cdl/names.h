@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,8 +17,8 @@ class Names {
   [[nodiscard]] const Statement* find(std::string_view name) const;
   /// Statements whose name an earlier one has.
   [[nodiscard]] std::vector<const Statement*> doubles() const;
-  /// Every name once, in order.
-  [[nodiscard]] std::vector<std::string> all() const;
+  /// The first names in order, each once, at most so many and none of more letters.
+  [[nodiscard]] std::vector<std::string> first(std::size_t most, std::size_t longest) const;
 
  private:
   std::vector<const Statement*> by_name_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "idl/cdl/finding.h"
@@ -9,8 +10,9 @@ namespace tacit::cdl {
 
 /// References and parameters deeper than this in each other are not followed.
 inline constexpr int kDeepestReference = 400;
-/// Parts that a team may have, so that references to references stay bounded.
-inline constexpr int kMostParts = 1'000'000;
+/// Steps that following may take beside some for each item of the file: a file whose references
+/// fan out again and again makes no team larger than this.
+inline constexpr std::uint64_t kMostSteps = 1'000'000;
 
 struct Resolved {
   std::vector<Robot> robots;  ///< In the team's order.

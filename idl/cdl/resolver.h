@@ -18,11 +18,14 @@ struct Scope {
 };
 
 /// Turns expressions into parts of a team. Used once.
+///
+/// Whatever walks a list, up the scopes or down a reference spends steps first and makes nothing
+/// when there are none left.
 class Resolver {
  public:
-  explicit Resolver(const Mission& mission) : names_(mission) {}
+  explicit Resolver(const Mission& mission);
 
-  [[nodiscard]] Resolved run(const Mission& mission);
+  [[nodiscard]] Resolved run();
 
  private:
   void robots(const Expression& team, int depth);
@@ -42,15 +45,21 @@ class Resolver {
   Member member(const Item& item, const Scope& scope, int depth);
 
   std::vector<Parameter> parameters(const Expression& list, const Scope& scope);
+  const Parameter* look_up(const Scope& scope, std::string_view name, const Span& span);
   Value effective(const Item& item, const Scope& scope);
+  /// What stands at the end of a chain of names; null for a name that is no statement's.
   const Expression* followed(const Expression& reference);
-  bool too_much(int depth, const Span& span);
+  const Item* slot_of(const Expression& list, std::string_view name);
+  bool too_deep(int depth, const Span& span);
+  bool spend(std::size_t steps, const Span& span);
   void find(Severity severity, const char* rule, const std::string& text, const Span& span);
 
+  const Mission& mission_;
   Names names_;
-  Resolved resolved_;
-  std::set<std::pair<std::uint32_t, std::string>> found_;
-  int parts_ = 0;
+  std::vector<Robot> robots_;
+  FindingList findings_;
+  std::set<std::pair<std::uint32_t, std::string_view>> found_;  ///< Places and rules, each once.
+  std::uint64_t steps_left_;
 };
 
 }  // namespace tacit::cdl

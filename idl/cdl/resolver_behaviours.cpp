@@ -18,14 +18,10 @@ std::map<std::string, Part*> by_name(std::vector<Part>& parts, NameOf name_of) {
   return index;
 }
 
-std::vector<Parameter> copy_of(const std::vector<Parameter>* parameters) {
-  return parameters == nullptr ? std::vector<Parameter>{} : *parameters;
-}
-
 }  // namespace
 
 Behaviour Resolver::behaviour(const Expression& expression, const Scope& scope, int depth) {
-  if (too_much(depth, expression.span)) {
+  if (too_deep(depth, expression.span)) {
     return {};
   }
   switch (expression.kind) {
@@ -45,7 +41,7 @@ Behaviour Resolver::behaviour(const Expression& expression, const Scope& scope, 
 
 Behaviour Resolver::of_group(const Expression& group, const Scope& scope, int depth) {
   const std::vector<Parameter> offered = parameters(group, scope);
-  const Expression* body = body_of(group);
+  const Expression* body = spend(group.items.size(), group.span) ? body_of(group) : nullptr;
   Behaviour made;
   if (body != nullptr) {
     made = behaviour(*body, {&scope, &offered}, depth);
@@ -58,12 +54,14 @@ Behaviour Resolver::of_group(const Expression& group, const Scope& scope, int de
 
 Behaviour Resolver::of_reference(const Expression& reference, const Scope& scope, int depth) {
   if (const Expression* target = followed(reference)) {
-    const Item* bound = target->kind == Kind::Instance ? find_slot(*target, "bound_to") : nullptr;
+    const Item* bound = target->kind == Kind::Instance ? slot_of(*target, "bound_to") : nullptr;
     return behaviour(bound == nullptr ? *target : bound->value, scope, depth);
   }
   Behaviour made;
   made.name = reference.name;
-  made.parameters = copy_of(scope.offered);
+  if (scope.offered != nullptr && spend(scope.offered->size(), reference.span)) {
+    made.parameters = *scope.offered;
+  }
   return made;
 }
 
@@ -87,6 +85,9 @@ Behaviour Resolver::of_instance(const Expression& instance, const Scope& scope, 
 
 Automaton Resolver::automaton(const Expression& instance, const Scope& scope, int depth) {
   Automaton made;
+  if (!spend(2 * instance.items.size(), instance.span)) {
+    return made;
+  }
   for (const Item& item : instance.items) {
     if (item.slot && item.slot->name == "society" && item.slot->index) {
       State state;
@@ -114,6 +115,9 @@ Automaton Resolver::automaton(const Expression& instance, const Scope& scope, in
 WeightedSum Resolver::weighted_sum(const Expression& instance, const Scope& scope, int depth) {
   WeightedSum made{members(instance, "members", scope, depth)};
   const auto by_index = by_name(made.members, [](const Member& member) { return member.index; });
+  if (!spend(instance.items.size(), instance.span)) {
+    return made;
+  }
   for (const Item& item : instance.items) {
     if (!item.slot || item.slot->name != "weight" || item.value.kind != Kind::Value) {
       continue;
@@ -130,6 +134,9 @@ Learner Resolver::learner(const Expression& instance, const Scope& scope, int de
   Learner made;
   made.actions = members(instance, "society", scope, depth);
   made.triggers = members(instance, "triggers", scope, depth);
+  if (!spend(instance.items.size(), instance.span)) {
+    return made;
+  }
   for (const Item& item : instance.items) {
     if (item.slot && item.slot->name == "reinforcers" && item.value.kind == Kind::Value) {
       const Value value = parse_value(item.value.name);
@@ -144,6 +151,9 @@ Learner Resolver::learner(const Expression& instance, const Scope& scope, int de
 std::vector<Member> Resolver::members(const Expression& instance, std::string_view slot,
                                       const Scope& scope, int depth) {
   std::vector<Member> made;
+  if (!spend(instance.items.size(), instance.span)) {
+    return made;
+  }
   for (const Item& item : instance.items) {
     const bool wanted = item.slot && (slot.empty() || item.slot->name == slot);
     if (wanted && item.value.kind != Kind::Value && item.value.kind != Kind::Nothing) {

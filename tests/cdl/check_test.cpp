@@ -16,6 +16,16 @@ std::string found(const std::string& text) {
   return all;
 }
 
+/// What the finding of that rule says.
+std::string said(const std::string& text, const std::string& rule) {
+  for (const Finding& finding : check_text(text)) {
+    if (finding.rule == rule) {
+      return finding.text;
+    }
+  }
+  return "";
+}
+
 // The automaton's first line is line 4 of the file.
 constexpr const char* kGood =
     "society[Start] = [Stop], society[$B] = [Stop],\nrules[Start] = if [Immediate] goto $B";
@@ -58,6 +68,11 @@ INSTANTIATE_TEST_SUITE_P(
              "out-of-range:5"},
         Flaw{"society[Start] = $AN_7", "undefined-name:4"}));
 
+TEST(Check, HintsAtTheNameThatWasMeant) {
+  EXPECT_EQ(said(with_automaton("society[Start] = [Stopp]"), "unknown-behaviour"),
+            "the behaviour Stopp is not known, did you mean \"Stop\"?");
+}
+
 TEST(Check, FindsASecondStatementOfOneName) {
   EXPECT_EQ(found("instGroup a from [Stop];\ninstGroup a from [Stop];\n" + with_automaton(kGood)),
             "duplicate-name:2");
@@ -66,6 +81,25 @@ TEST(Check, FindsASecondStatementOfOneName) {
 TEST(Check, FindsNamesInACircle) {
   EXPECT_EQ(found("instGroup a from [b];\ninstGroup b from [a];\n" + with_automaton(kGood)),
             "circle:2");
+}
+
+TEST(Check, FollowsLongChainsOfNames) {
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) {
+    text += "instGroup a" + std::to_string(i) + " from [a" + std::to_string(i + 1) + "];\n";
+  }
+  EXPECT_EQ(found(text + "instGroup a100000 from [Stop];\n[vehicle(bound_to = a0)]"),
+            "no-robots:1, too-deep:200");
+}
+
+TEST(Check, BoundsReferencesToReferences) {
+  std::string text;
+  for (int i = 0; i < 60; ++i) {
+    const std::string next = "$" + std::to_string(i + 1);
+    text += "instGroup $" + std::to_string(i) + " from [" + next + ", " + next + "];\n";
+  }
+  text += "instGroup $60 from [Stop];\n[$0]";
+  EXPECT_NE(found(text).find("too-large"), std::string::npos);
 }
 
 TEST(Check, FindsARobotWithoutActuators) {

@@ -14,11 +14,17 @@ struct SampleFile {
   std::string text;
 };
 
-/// MissionLab's own missions in the folder that TACIT_MISSIONLAB_SAMPLES names; none without it.
+/// Where MissionLab's own missions are looked for; they are not part of the tree.
+inline std::filesystem::path missionlab_folder() {
+  const char* named = std::getenv("TACIT_MISSIONLAB_SAMPLES");
+  return named != nullptr ? named : TACIT_SOURCE_DIR "/../shared/missionlab-samples";
+}
+
+/// MissionLab's own missions; none where there is no such folder.
 inline std::vector<SampleFile> missionlab_samples() {
   std::vector<SampleFile> samples;
-  const char* folder = std::getenv("TACIT_MISSIONLAB_SAMPLES");
-  if (folder == nullptr) {
+  const std::filesystem::path folder = missionlab_folder();
+  if (!std::filesystem::is_directory(folder)) {
     return samples;
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -14,7 +14,7 @@ class MissionLabSamples : public testing::Test {
   void SetUp() override {
     samples_ = missionlab_samples();
     if (samples_.empty()) {
-      GTEST_SKIP() << "TACIT_MISSIONLAB_SAMPLES names no folder with MissionLab's .cdl files";
+      GTEST_SKIP() << "no .cdl files of MissionLab; TACIT_MISSIONLAB_SAMPLES names their folder";
     }
   }
   std::vector<SampleFile> samples_;
