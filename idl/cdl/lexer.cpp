@@ -88,7 +88,12 @@ struct Lexer::Input {
 };
 
 Lexer::Lexer(std::string_view text)
-    : input_(new Input{text, {text.data(), text.data() + text.size(), ""}}) {}
+    : input_(new Input{text, {text.data(), text.data() + text.size(), ""}}) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) {
+    input_->in.bump(kByteOrderMark.size());
+  }
+}
 
 Lexer::~Lexer() = default;
 

@@ -19,8 +19,9 @@ struct Parsed {
 
 /// Reads a mission. A statement with an error is left out and the next one read.
 ///
-/// Takes time in proportion to the text, whatever the text. Bytes from 128 on are kept as they are
-/// in descriptions, comments and values and refused elsewhere; NUL is refused.
+/// Takes time in proportion to the text, whatever the text. Bytes from 128 on, of UTF-8, Latin-1 or
+/// anything else, are kept as they are in descriptions, comments and values and refused elsewhere.
+/// NUL is refused. A byte order mark of UTF-8 at the front is passed over.
 [[nodiscard]] Parsed parse(std::string_view text);
 
 }  // namespace tacit::cdl

@@ -137,6 +137,7 @@ void Parser::definition(Statement& statement) {
   const std::uint32_t begin = token_.begin;
   statement.keyword = expect_word("a keyword");
   for (int depth = 0; !token_.is(';') || depth > 0; advance()) {
+    comments_.clear();  // They are part of the text.
     if (token_.kind == Token::Kind::End || token_.kind == Token::Kind::Bad) {
       refuse(found() + ", wanted \";\" at the end of the definition");
     }
@@ -145,7 +146,6 @@ void Parser::definition(Statement& statement) {
       statement.name = token_.text;
     }
   }
-  comments_.clear();  // They are part of the text.
   statement.text = text_.substr(begin, last_end_ - begin);
 }
 

@@ -54,6 +54,7 @@ std::string Printer::print(const Mission& mission, const Mission& origin) {
   for (const Statement& next : mission.statements) {
     const bool first = &next == mission.statements.data();
     const Statement* from = origin_of(next, origin.statements);
+    end_team_before(next, mission);
     const bool follows = from != nullptr && from->comments == next.comments &&
                          (first ? from == origin.statements.data() : from - 1 == before);
     if (follows) {
@@ -75,6 +76,17 @@ std::string Printer::print(const Mission& mission, const Mission& origin) {
     comments(mission.closing_comments, 0);
   }
   return std::move(out_);
+}
+
+void Printer::end_team_before(const Statement& next, const Mission& mission) {
+  const auto is_team = [](const Statement& one) {
+    return one.kind == Statement::Kind::Configuration;
+  };
+  const bool second_team =
+      &next != mission.statements.data() && is_team(next) && is_team(*(&next - 1));
+  if (second_team && !out_.ends_with(';')) {
+    out_ += ';';
+  }
 }
 
 void Printer::statement(const Statement& statement, const Statement* origin) {

@@ -19,6 +19,8 @@ class Printer {
   [[nodiscard]] std::string print(const Mission& mission, const Mission& origin);
 
  private:
+  /// A team needs no `;` behind it unless another one follows.
+  void end_team_before(const Statement& next, const Mission& mission);
   void statement(const Statement& statement, const Statement* origin);
   void heading(const Statement& statement);
   void expression(const Expression& expression, const Expression* origin, int depth);

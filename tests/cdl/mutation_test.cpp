@@ -8,6 +8,7 @@
 #include "idl/cdl/print.h"
 #include "idl/cdl/resolve.h"
 #include "idl/types/random.h"
+#include "tests/cdl/laws.h"
 #include "tests/cdl/samples.h"
 
 namespace tacit::cdl {
@@ -34,13 +35,14 @@ void mutate(std::string& text, Stream& chance) {
 }
 
 void use(const std::string& text) {
+  EXPECT_EQ(broken_law(text), "") << text;
   const Parsed parsed = parse(text);
   (void)print(parsed.mission, text);
   (void)check(parsed.mission, text);
   (void)to_scxml(diagram_of(resolve(parsed.mission).robots));
 }
 
-TEST(Mutations, NeitherCrashNorTakeLong) {
+TEST(Mutations, KeepTheLawsAndNeitherCrashNorTakeLong) {
   Stream chance(11, "mutations");
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < 4000; ++i) {

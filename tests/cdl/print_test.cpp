@@ -146,6 +146,15 @@ TEST(Print, TakesAStatementOutAndKeepsTheOthers) {
             "bindArch A;\n\ninstBP  c from d( );\n");
 }
 
+TEST(Print, EndsATeamBeforeAnother) {
+  EXPECT_EQ(print(parse("[a]; [b]; defOp c;").mission), "[\n  a];\n\n[\n  b]\n\ndefOp c;\n");
+}
+
+TEST(Print, KeepsCommentsAroundADefinition) {
+  EXPECT_EQ(print(parse("/*1*/ defOp /*2*/ a /*3*/; /*4*/").mission),
+            "/*1*/\ndefOp /*2*/ a;\n/*3*/\n/*4*/\n");
+}
+
 TEST(Print, KeepsCommentsInTheHouseLayout) {
   EXPECT_EQ(print(parse("/*1*/ [ /*2*/ a, // 3\n b /*4*/ ] /*5*/").mission),
             "/*1*/\n[\n  /*2*/\n  a,\n  // 3\n  b\n  /*4*/\n]\n/*5*/\n");
