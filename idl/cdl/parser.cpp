@@ -1,6 +1,7 @@
 #include "idl/cdl/parser.h"
 
 #include <cctype>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -150,8 +151,9 @@ Expression Parser::rule(std::uint32_t begin) {
 void Parser::list(Expression& owner, char opening, char closing) {
   deeper(token_.begin);
   expect(opening);
+  const std::size_t first = pending_.size();
   while (!token_.is(closing)) {
-    owner.items.push_back(item());
+    pending_.push_back(item());
     if (token_.is(closing)) {
       break;
     }
@@ -159,9 +161,17 @@ void Parser::list(Expression& owner, char opening, char closing) {
       refuse(found() + ", wanted \",\" or \"" + closing + '"');
     }
   }
+  owner.items = taken_from(first);
   owner.closing_comments = take_comments();
   advance();
   --depth_;
+}
+
+std::vector<Item> Parser::taken_from(std::size_t first) {
+  const auto begin = pending_.begin() + static_cast<std::ptrdiff_t>(first);
+  std::vector<Item> taken(std::make_move_iterator(begin), std::make_move_iterator(pending_.end()));
+  pending_.erase(begin, pending_.end());
+  return taken;
 }
 
 void Parser::deeper(std::uint32_t begin) {

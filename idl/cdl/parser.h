@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "idl/cdl/lexer.h"
 #include "idl/cdl/parse.h"
@@ -34,6 +35,7 @@ class Parser {
   Expression named(std::string word, std::uint32_t begin);
   Expression rule(std::uint32_t begin);
   void list(Expression& owner, char opening, char closing);
+  std::vector<Item> taken_from(std::size_t first);
   void deeper(std::uint32_t begin);
   Item item();
   void tail(Expression& expression);
@@ -55,6 +57,8 @@ class Parser {
   std::uint32_t last_end_ = 0;
   std::uint32_t statement_begin_ = 0;
   int depth_ = 0;
+  std::vector<Item>
+      pending_;        ///< Of the lists at hand; so each gets memory once, as much as it needs.
   Comments comments_;  ///< Before the token at hand, not yet taken.
   Parsed parsed_;
 };

@@ -66,6 +66,7 @@ void Parser::statements() {
 
 void Parser::recover() {
   depth_ = 0;
+  pending_.clear();
   bool ended = false;
   while (token_.kind != Token::Kind::End && !ended) {
     // The next statement, unless it is the one that failed.
