@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 #include <string_view>
-#include <utility>
+
+#include "console/report/svg.h"
 
 namespace tacit {
 namespace {
@@ -20,58 +20,14 @@ constexpr double kBottom = 420.0;
 constexpr std::array<std::string_view, 8> kColours{"#000000", "#0072b2", "#d55e00", "#009e73",
                                                    "#cc79a7", "#56b4e9", "#e69f00", "#f0e442"};
 
-std::string pixels(double value) {
-  std::array<char, 400> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                 std::chars_format::fixed, 2)
-                       .ptr;
-  return {digits.data(), end};
+std::string dot(SvgPlace at, const std::string& colour) {
+  return "<circle cx=\"" + svg_number(at.x) + "\" cy=\"" + svg_number(at.y) +
+         "\" r=\"3.50\" fill=\"" + colour + "\"/>\n";
 }
 
-std::string escaped(std::string_view text) {
-  constexpr std::array<std::pair<char, std::string_view>, 4> kNames{
-      {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}}};
-  std::string out;
-  for (const char c : text) {
-    const auto* name = std::find_if(kNames.begin(), kNames.end(),
-                                    [c](const auto& known) { return known.first == c; });
-    out += name != kNames.end() ? std::string(name->second)
-                                : std::string(1, static_cast<unsigned char>(c) < 0x20U ? ' ' : c);
-  }
-  return out;
-}
-
-struct Place {
-  double x;
-  double y;
-};
-
-std::string line(Place from, Place to, std::string_view style) {
-  return "<line x1=\"" + pixels(from.x) + "\" y1=\"" + pixels(from.y) + "\" x2=\"" + pixels(to.x) +
-         "\" y2=\"" + pixels(to.y) + "\" " + std::string(style) + "/>\n";
-}
-
-std::string words(Place at, std::string_view text, std::string_view style) {
-  return "<text x=\"" + pixels(at.x) + "\" y=\"" + pixels(at.y) + "\" " + std::string(style) + '>' +
-         escaped(text) + "</text>\n";
-}
-
-std::string dot(Place at, const std::string& colour) {
-  return "<circle cx=\"" + pixels(at.x) + "\" cy=\"" + pixels(at.y) + "\" r=\"3.50\" fill=\"" +
-         colour + "\"/>\n";
-}
-
-std::string listed(const std::vector<Place>& places) {
-  std::string list;
-  for (const Place& place : places) {
-    list += (list.empty() ? "" : " ") + pixels(place.x) + ',' + pixels(place.y);
-  }
-  return list;
-}
-
-std::string path(const std::vector<Place>& places, const std::string& colour,
+std::string path(const std::vector<SvgPlace>& places, const std::string& colour,
                  std::string_view more) {
-  return "<polyline points=\"" + listed(places) + "\" fill=\"none\" stroke=\"" + colour + "\" " +
+  return "<polyline points=\"" + svg_list(places) + "\" fill=\"none\" stroke=\"" + colour + "\" " +
          std::string(more) + "/>\n";
 }
 
@@ -124,8 +80,8 @@ class Drawing {
         y_(axis(chart.y_scale, extent_y(chart.series, chart.y_scale))) {}
 
   [[nodiscard]] std::string text() const {
-    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + pixels(kWidth) +
-                      "\" height=\"" + pixels(kHeight) +
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + svg_number(kWidth) +
+                      "\" height=\"" + svg_number(kHeight) +
                       "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
     svg += axes() + titles();
@@ -141,7 +97,7 @@ class Drawing {
     return {scale, extent.low, extent.high};
   }
 
-  [[nodiscard]] Place at(double x, double y) const {
+  [[nodiscard]] SvgPlace at(double x, double y) const {
     return {kLeft + (kRight - kLeft) * x_.share(x), kBottom - (kBottom - kTop) * y_.share(y)};
   }
 
@@ -149,30 +105,30 @@ class Drawing {
     std::string svg;
     for (const AxisTick& tick : y_.ticks()) {
       const double y = kBottom - (kBottom - kTop) * y_.share(tick.value);
-      svg += line({kLeft - 5, y}, {kRight, y}, kGrid);
-      svg += words({kLeft - 8, y + 4}, tick.label, kToTheLeft);
+      svg += svg_line({kLeft - 5, y}, {kRight, y}, kGrid);
+      svg += svg_text({kLeft - 8, y + 4}, tick.label, kToTheLeft);
     }
     for (const AxisTick& tick : x_.ticks()) {
       const double x = kLeft + (kRight - kLeft) * x_.share(tick.value);
-      svg += line({x, kBottom}, {x, kBottom + 5}, kInk);
-      svg += words({x, kBottom + 19}, tick.label, kMiddle);
+      svg += svg_line({x, kBottom}, {x, kBottom + 5}, kInk);
+      svg += svg_text({x, kBottom + 19}, tick.label, kMiddle);
     }
-    return svg + line({kLeft, kBottom}, {kRight, kBottom}, kInk) +
-           line({kLeft, kTop}, {kLeft, kBottom}, kInk);
+    return svg + svg_line({kLeft, kBottom}, {kRight, kBottom}, kInk) +
+           svg_line({kLeft, kTop}, {kLeft, kBottom}, kInk);
   }
 
   [[nodiscard]] std::string titles() const {
     const double middle = (kTop + kBottom) / 2;
     const std::string turned =
-        std::string(kMiddle) + " transform=\"rotate(-90 16 " + pixels(middle) + ")\"";
-    return words({(kLeft + kRight) / 2, 22}, chart_.title,
-                 "text-anchor=\"middle\" font-size=\"14\"") +
-           words({(kLeft + kRight) / 2, kHeight - 16}, chart_.x_title, kMiddle) +
-           words({16, middle}, chart_.y_title, turned);
+        std::string(kMiddle) + " transform=\"rotate(-90 16 " + svg_number(middle) + ")\"";
+    return svg_text({(kLeft + kRight) / 2, 22}, chart_.title,
+                    "text-anchor=\"middle\" font-size=\"14\"") +
+           svg_text({(kLeft + kRight) / 2, kHeight - 16}, chart_.x_title, kMiddle) +
+           svg_text({16, middle}, chart_.y_title, turned);
   }
 
   [[nodiscard]] std::string drawn(const ChartSeries& series, const std::string& colour) const {
-    std::vector<Place> places;
+    std::vector<SvgPlace> places;
     for (const ChartPoint& point : series.points) {
       places.push_back(at(point.x, point.y.value));
     }
@@ -190,22 +146,22 @@ class Drawing {
     if (!(point.y.low < point.y.high)) {
       return "";
     }
-    const Place low = at(point.x, point.y.low);
-    const Place high = at(point.x, point.y.high);
+    const SvgPlace low = at(point.x, point.y.low);
+    const SvgPlace high = at(point.x, point.y.high);
     const std::string style = "stroke=\"" + colour + '"';
-    return line(low, high, style) + line({low.x - 4, low.y}, {low.x + 4, low.y}, style) +
-           line({high.x - 4, high.y}, {high.x + 4, high.y}, style);
+    return svg_line(low, high, style) + svg_line({low.x - 4, low.y}, {low.x + 4, low.y}, style) +
+           svg_line({high.x - 4, high.y}, {high.x + 4, high.y}, style);
   }
 
   [[nodiscard]] std::string band(const ChartSeries& series, const std::string& colour) const {
-    std::vector<Place> around;
+    std::vector<SvgPlace> around;
     for (const ChartPoint& point : series.points) {
       around.push_back(at(point.x, point.y.high));
     }
     for (auto point = series.points.rbegin(); point != series.points.rend(); ++point) {
       around.push_back(at(point->x, point->y.low));
     }
-    return "<polygon points=\"" + listed(around) + "\" fill=\"" + colour +
+    return "<polygon points=\"" + svg_list(around) + "\" fill=\"" + colour +
            "\" fill-opacity=\"0.15\"/>\n";
   }
 
@@ -215,7 +171,7 @@ class Drawing {
     const bool curve = series.style == ChartSeries::Style::Curve;
     return path({{kRight + 16, y}, {kRight + 44, y}}, colour,
                 curve ? "stroke-width=\"2\"" : "stroke-dasharray=\"5 4\"") +
-           words({kRight + 50, y + 4}, series.name, "text-anchor=\"start\"");
+           svg_text({kRight + 50, y + 4}, series.name, "text-anchor=\"start\"");
   }
 
   const Chart& chart_;

@@ -1,5 +1,7 @@
 #include "deploy/lockstep/setup.h"
 
+#include "world_server/map/take_map.h"
+
 namespace tacit {
 namespace {
 
@@ -32,6 +34,7 @@ Setup read_setup(ScenarioFile& file) {
   Setup setup;
   file.fill(setup);
   file.refuse_unknown_sections();
+  take_map(setup.world, file);
   check(setup.world);
   check(setup.brain);
   return setup;

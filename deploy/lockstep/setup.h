@@ -21,8 +21,8 @@ struct Setup {
 /// Every parameter of a scenario, section by section.
 void describe(Setup& setup, ParameterVisitor& visitor);
 
-/// Takes what `file` says over the defaults. Throws ConfigError on anything that cannot be,
-/// unknown keys and sections included.
+/// Takes what `file` says over the defaults, and a map that it names into the world. Throws
+/// ConfigError on anything that cannot be, unknown keys and sections included.
 [[nodiscard]] Setup read_setup(ScenarioFile& file);
 
 /// The tick at which the run ends.

@@ -16,6 +16,7 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   tacit run guard --robots 6 --learner lm --strategy 1 --seed 7
   tacit run guard --one-process --json
+  tacit run guard --map building.ovl
   tacit run forage --robots 6 --learner q --policy policies/team
   tacit run my.toml --set enemies.speed_mps=1.5 --out runs/slow --trajectories
 
@@ -50,6 +51,9 @@ void add_scenario_options(CLI::App& run, RunWish& wish) {
       ->type_name("N");
   run.add_option("--seed", wish.seed, "Seed of every stream of chance")->type_name("N");
   run.add_option("--duration", wish.duration_s, "Simulated time of the run")->type_name("S");
+  run.add_option("--map", wish.map,
+                 "MissionLab overlay from which area, walls, obstacles and start place come")
+      ->type_name("FILE.ovl");
   run.add_option("--set", wish.settings, "Any parameter of the scenario; see `tacit scenarios`")
       ->type_name("SECTION.KEY=VALUE")
       ->expected(1)

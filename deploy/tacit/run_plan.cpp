@@ -5,6 +5,7 @@
 #include "console/record/run_store.h"
 #include "deploy/lockstep/team.h"
 #include "deploy/tacit/scenario_library.h"
+#include "idl/scenario/values.h"
 #include "idl/types/config_error.h"
 #include "idl/version/version.h"
 
@@ -33,6 +34,9 @@ void apply(const RunWish& wish, ScenarioFile& file) {
   set_if_given(file, "enemies.strategy", wish.strategy, "--strategy");
   set_if_given(file, "run.seed", wish.seed, "--seed");
   set_if_given(file, "run.duration_s", wish.duration_s, "--duration");
+  if (!wish.map.empty()) {
+    file.set("area.map", toml_string(wish.map), "--map");
+  }
 }
 
 /// "2030-01-31T23:59:59Z" as "20300131T235959Z", fit for a file name.

@@ -18,6 +18,7 @@ struct RunWish {
   std::string learner;
   std::string strategy;
   std::string seed;
+  std::string map;
   std::string duration_s;
   std::vector<std::string> settings;  ///< "section.key=value"
   std::string out;

@@ -67,6 +67,7 @@ class Box {
     high_ = {std::max(high_.x_m, p.x_m + radius_m), std::max(high_.y_m, p.y_m + radius_m)};
   }
   [[nodiscard]] bool empty() const { return low_.x_m > high_.x_m; }
+  [[nodiscard]] MapExtent extent() const { return {low_, high_}; }
   [[nodiscard]] MapPoint shift() const {
     return empty() ? MapPoint{} : MapPoint{kMargin_m - low_.x_m, kMargin_m - low_.y_m};
   }
@@ -181,6 +182,16 @@ void add_walls(const OverlayMap& map, Doors doors, MapGround& ground) {
 }
 
 }  // namespace
+
+MapExtent extent_of(const OverlayMap& map) {
+  Box box = box_of(map);
+  const std::optional<MapSize> area = mission_area(map);
+  if (area || box.empty()) {
+    const MapSize size = area.value_or(box.size());
+    box.take({MapPoint{}, {size.width_m, size.height_m}});
+  }
+  return box.extent();
+}
 
 ShapeKind wall_kind(const OverlayMap& map) {
   if (holds(map, ShapeKind::Wall)) return ShapeKind::Wall;

@@ -37,6 +37,14 @@ struct MapGround {
 /// shut it.
 [[nodiscard]] std::vector<MapSegment> walls_of(const OverlayMap& map, Doors doors);
 
+/// A rectangle on the map.
+struct MapExtent {
+  MapPoint low;
+  MapPoint high;
+};
+/// Takes in the area and everything on the map; 2 m by 2 m at 0, 0 when there is nothing.
+[[nodiscard]] MapExtent extent_of(const OverlayMap& map);
+
 /// The area is MISSION-AREA, in which a map counts from the south-west corner (ORIGIN is not used);
 /// without one it is the bounding box of all places with 1 m around. Walls are cut off at its
 /// border; what lies outside is left out. Discs are OBSTACLEs and the fixed OBJECTs that are black

@@ -144,6 +144,14 @@ class Document::Tree {
     return root_.at_path(section).is_table();
   }
 
+  [[nodiscard]] Given given(const std::string& path) const {
+    if (stand_ins.contains(path)) return Given::Set;
+    const toml::table* table = root_.at_path(section_of(path)).as_table();
+    return table != nullptr && table->contains(key_of(path)) ? Given::File : Given::Nobody;
+  }
+
+  [[nodiscard]] const std::string& name() const { return path_; }
+
   void refuse_unknown_keys() const {
     for (const auto& [section, keys] : known) {
       if (const toml::table* table = root_.at_path(section).as_table()) {
@@ -232,6 +240,10 @@ void Document::set(std::string_view path, std::string_view text, std::string_vie
 }
 
 bool Document::has(std::string_view section) const { return tree_->has(section); }
+
+Given Document::given(const std::string& path) const { return tree_->given(path); }
+
+const std::string& Document::name() const { return tree_->name(); }
 
 void Document::open(std::string_view section) { tree_->known[std::string(section)]; }
 

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "idl/scenario/given.h"
+
 namespace tacit {
 
 using Rows = std::vector<std::vector<double>>;
@@ -33,6 +35,11 @@ class Document {
   void set(std::string_view path, std::string_view text, std::string_view giver);
   /// As ScenarioFile::has.
   [[nodiscard]] bool has(std::string_view section) const;
+
+  /// As ScenarioFile::given.
+  [[nodiscard]] Given given(const std::string& path) const;
+  /// Its name in messages.
+  [[nodiscard]] const std::string& name() const;
 
   /// From here on `section` is known.
   void open(std::string_view section);

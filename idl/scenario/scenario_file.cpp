@@ -184,6 +184,10 @@ void ScenarioFile::set(std::string_view path, std::string_view text, std::string
 
 bool ScenarioFile::has(std::string_view section) const { return document_->has(section); }
 
+Given ScenarioFile::given(const std::string& path) const { return document_->given(path); }
+
+const std::string& ScenarioFile::name() const { return document_->name(); }
+
 void ScenarioFile::fill(const Describe& describe_all) {
   Filler filler(*document_);
   describe_all(filler);

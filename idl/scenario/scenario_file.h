@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "idl/scenario/given.h"
 #include "idl/types/parameters.h"
 
 namespace tacit {
@@ -37,6 +38,12 @@ class ScenarioFile {
 
   /// Whether the file itself, `set` aside, holds the table `[section]`.
   [[nodiscard]] bool has(std::string_view section) const;
+
+  /// Who has given `section.key` its value.
+  [[nodiscard]] Given given(const std::string& path) const;
+
+  /// The file, as errors name it.
+  [[nodiscard]] const std::string& name() const;
 
   /// Gives each parameter that the file names its value; the others keep theirs. Throws ConfigError
   /// on a wrong type, a value outside its range or choices, and a key that no parameter has.

@@ -17,8 +17,9 @@ std::string listed(const Findings& findings) {
 }
 
 std::vector<SourceFile> pure_sources() {
-  return sources(TACIT_SOURCE_DIR, {"idl/types", "idl/cdl", "robot_agent/brain",
-                                    "world_server/world", "console/metrics", "console/report"});
+  return sources(TACIT_SOURCE_DIR,
+                 {"idl/types", "idl/cdl", "idl/overlay", "robot_agent/brain", "world_server/world",
+                  "console/metrics", "console/report"});
 }
 
 std::vector<SourceFile> all_sources() {

@@ -1,7 +1,10 @@
 #include "world_server/world/start.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "idl/types/config_error.h"
 #include "idl/types/random.h"
@@ -40,10 +43,105 @@ WorldPose anywhere(const WorldConfig& config, Stream& chance) {
   return {{x, y}, Heading::from_rad(chance.uniform(-kPi, kPi))};
 }
 
+/// Looks for room near the target or base, on a grid fine enough that no robot that goes from place
+/// to place could slip through a wall: all stand where all others can be reached.
+class Gathering {
+ public:
+  Gathering(const WorldConfig& config, const Terrain& terrain)
+      : config_(config),
+        terrain_(terrain),
+        radius_m_(config.robots.radius_m),
+        centre_m_(focus(config).x_m, focus(config).y_m) {}
+
+  /// As many as there is room for.
+  std::vector<WorldPose> poses() {
+    std::vector<WorldPose> most;
+    for (int ring = 0; ring <= kRings; ++ring) {
+      for (int i = -ring; i <= ring; ++i) {
+        const int step = std::abs(i) == ring ? 1 : std::max(1, 2 * ring);
+        for (int j = -ring; j <= ring; j += step) {
+          std::vector<WorldPose> found = around({i, j});
+          if (found.size() == count()) return found;
+          if (found.size() > most.size()) most = std::move(found);
+        }
+      }
+    }
+    return most;
+  }
+
+ private:
+  using Cell = std::pair<int, int>;
+  static constexpr int kRings = 200;         ///< [ours: so long a search takes about a second]
+  static constexpr double kFineness = 1.9;   ///< Below 2 radii no wall fits between neighbours.
+  static constexpr double kElbowRoom = 3.0;  ///< Radii from robot to robot. [ours]
+
+  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(config_.robots.count); }
+
+  [[nodiscard]] WorldVec place(const Cell& cell) const {
+    const double step_m = kFineness * radius_m_;
+    return centre_m_ + WorldVec{step_m * cell.first, step_m * cell.second};
+  }
+
+  /// Whether nobody has been at `cell` and a robot can stand there.
+  bool enters(const Cell& cell) {
+    const WorldVec p = place(cell);
+    const bool inside = p.x() >= radius_m_ && p.y() >= radius_m_ &&
+                        p.x() <= terrain_.width_m - radius_m_ &&
+                        p.y() <= terrain_.height_m - radius_m_;
+    return inside && known_.insert(cell).second && free_of_terrain(p, radius_m_, terrain_);
+  }
+
+  std::vector<WorldPose> around(const Cell& first) {
+    std::vector<WorldPose> poses;
+    std::vector<Cell> queue;
+    if (enters(first)) queue.push_back(first);
+    for (std::size_t next = 0; next < queue.size() && poses.size() < count(); ++next) {
+      const Cell cell = queue[next];
+      if (free_of_robots(place(cell), kElbowRoom * radius_m_ / 2.0, poses)) {
+        poses.push_back({place(cell), outward(place(cell))});
+      }
+      for (const auto& [di, dj] : {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}}) {
+        const Cell neighbour{cell.first + di, cell.second + dj};
+        if (enters(neighbour)) queue.push_back(neighbour);
+      }
+    }
+    return poses;
+  }
+
+  [[nodiscard]] Heading outward(const WorldVec& p) const {
+    const WorldVec away = unit(p - centre_m_);
+    return away.squared_norm() > 0.0 ? Heading{away.x(), away.y()} : Heading{};
+  }
+
+  const WorldConfig& config_;
+  const Terrain& terrain_;
+  double radius_m_;
+  WorldVec centre_m_;
+  std::set<Cell> known_;
+};
+
+[[noreturn]] void refuse(const WorldConfig& config, std::size_t robots) {
+  throw ConfigError("[robots] count = " + std::to_string(config.robots.count) +
+                    ": no room for robot " + std::to_string(robots + 1) +
+                    "; wanted fewer or smaller robots, a wider ring_radius_m or a larger "
+                    "[obstacles] keep_free_m");
+}
+
+std::vector<WorldPose> gathered(const WorldConfig& config, const Terrain& terrain) {
+  std::vector<WorldPose> poses = Gathering(config, terrain).poses();
+  if (poses.size() < static_cast<std::size_t>(config.robots.count)) {
+    refuse(config, poses.size());
+  }
+  return poses;
+}
+
 }  // namespace
 
 std::vector<WorldPose> start_poses(const WorldConfig& config, const Terrain& terrain,
                                    std::uint64_t seed) {
+  if (config.robots.start == "gathered") {
+    return gathered(config, terrain);
+  }
   const bool ring = config.robots.start == "ring";
   const int tries = ring ? 1 : 1000;
   Stream chance(seed, "start places");
@@ -59,10 +157,7 @@ std::vector<WorldPose> start_poses(const WorldConfig& config, const Terrain& ter
       }
     }
     if (!placed) {
-      throw ConfigError("[robots] count = " + std::to_string(config.robots.count) +
-                        ": no room for robot " + std::to_string(i + 1) +
-                        "; wanted fewer or smaller robots, a wider ring_radius_m or a larger "
-                        "[obstacles] keep_free_m");
+      refuse(config, i);
     }
   }
   return poses;

@@ -9,7 +9,8 @@
 namespace tacit {
 
 /// Where the robots stand at tick 0, in order of id: evenly on a ring round the target or base
-/// facing outwards, or scattered over the free area with random headings.
+/// facing outwards, scattered over the free area with random headings, or gathered: as near the
+/// target or base as there is room, no wall between them, facing outwards.
 ///
 /// Throws ConfigError when there is no room for one of them.
 [[nodiscard]] std::vector<WorldPose> start_poses(const WorldConfig& config, const Terrain& terrain,

@@ -10,10 +10,16 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kWallColumns{"x1", "y1", "x2", "y2"};
 constexpr std::array<std::string_view, 3> kDiscColumns{"x", "y", "r"};
-constexpr std::array<std::string_view, 2> kStarts{"ring", "scattered"};
+constexpr std::array<std::string_view, 3> kStarts{"ring", "scattered", "gathered"};
+constexpr std::array<std::string_view, 2> kDoors{"open", "closed"};
 
 void describe_area(AreaConfig& area, ParameterVisitor& v) {
   v.section("area", "The rectangle in which everything happens.");
+  v.text("map", area.map,
+         {"",
+          "MissionLab overlay (.ovl) from which area, walls, obstacles and start place come; empty "
+          "for none. [MissionLab]"});
+  v.choice("doors", area.doors, kDoors, {"", "How the doors of a map stand. [ours]"});
   v.number("width_m", area.width_m, {1, 100000}, {"m", "West to east. [paper]"});
   v.number("height_m", area.height_m, {1, 100000}, {"m", "South to north. [paper]"});
   v.flag("border_walls", area.border_walls,
@@ -49,7 +55,9 @@ void describe_robots(RobotConfig& robots, ParameterVisitor& v) {
   v.section("robots", "The team's bodies.");
   v.integer("count", robots.count, {1, 10000}, {"", "Size of the team. [paper: 1, 2, 3, 6]"});
   v.choice("start", robots.start, kStarts,
-           {"", "On a ring round the target or the base, or scattered over the area. [ours]"});
+           {"",
+            "On a ring round the target or the base, scattered over the area, or gathered as near "
+            "the target or the base as there is room. [ours]"});
   v.number("ring_radius_m", robots.ring_radius_m, {0, 100000},
            {"m", "Radius of the starting ring. [ours]"});
   v.number("radius_m", robots.radius_m, {0.01, 100}, {"m", "Body radius. [MissionLab]"});

@@ -22,6 +22,8 @@ struct SightConfig {
 };
 
 struct AreaConfig {
+  std::string map;  ///< File from which area, walls and obstacles come; empty once taken.
+  std::string doors = "open";  ///< "open" or "closed", on a map.
   double width_m = 200.0;
   double height_m = 200.0;
   bool border_walls = true;

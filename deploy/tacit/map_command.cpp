@@ -1,0 +1,146 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "console/record/files.h"
+#include "console/record/record_error.h"
+#include "deploy/tacit/commands.h"
+#include "deploy/tacit/map_picture.h"
+#include "deploy/tacit/say.h"
+#include "idl/overlay/check.h"
+#include "idl/overlay/reader.h"
+#include "idl/overlay/writer.h"
+#include "idl/types/config_error.h"
+
+namespace tacit {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  tacit map check building.ovl                  what is wrong with it
+  tacit map format building.ovl --write         every statement in one form, comments kept
+  tacit map show building.ovl --out building.svg
+  tacit run guard --map building.ovl
+
+Exit codes: 0 good, 2 the map has errors or cannot be read. docs/maps.md describes the format.)";
+
+struct MapWish {
+  std::string file;
+  std::string out;
+  bool json = false;
+  bool write = false;
+};
+
+OverlayReading read_map(const std::string& file) {
+  try {
+    return read_overlay(read_whole_file(file));
+  } catch (const RecordError& error) {
+    throw ConfigError(error.what());
+  }
+}
+
+/// Of reading and of meaning, in order of place.
+MapFindings all_findings(const OverlayReading& reading) {
+  MapFindings all = reading.findings;
+  const MapFindings meant = check(reading.map);
+  all.insert(all.end(), meant.begin(), meant.end());
+  std::stable_sort(all.begin(), all.end(), [](const MapFinding& a, const MapFinding& b) {
+    return std::pair(a.at.line, a.at.column) < std::pair(b.at.line, b.at.column);
+  });
+  return all;
+}
+
+std::string to_json(const MapFindings& findings, const std::string& file) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const MapFinding& finding : findings) {
+    list.push_back({{"file", file},
+                    {"line", finding.at.line},
+                    {"column", finding.at.column},
+                    {"severity", finding.severity == Severity::Error ? "error" : "warning"},
+                    {"text", finding.text}});
+  }
+  return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Exit check_map(const MapWish& wish) {
+  const OverlayReading reading = read_map(wish.file);
+  const MapFindings findings = all_findings(reading);
+  if (wish.json) {
+    std::cout << to_json(findings, wish.file) << '\n';
+  } else {
+    for (const MapFinding& finding : findings) {
+      std::cout << to_text(finding, wish.file) << '\n';
+    }
+    std::cout << wish.file << ": " << reading.map.statements.size() << " statements, "
+              << findings.size() << (findings.size() == 1 ? " finding\n" : " findings\n");
+  }
+  return has_errors(findings) ? Exit::BadInput : Exit::Done;
+}
+
+void require_readable(const OverlayReading& reading, const std::string& file) {
+  std::string text;
+  for (const MapFinding& finding : reading.findings) {
+    if (finding.severity == Severity::Error) {
+      text += (text.empty() ? "" : "\n") + to_text(finding, file);
+    }
+  }
+  if (!text.empty()) {
+    throw ConfigError(text);
+  }
+}
+
+Exit format_map(const MapWish& wish) {
+  const OverlayReading reading = read_map(wish.file);
+  require_readable(reading, wish.file);
+  const std::string text = to_canonical_text(reading.map);
+  if (wish.write) {
+    write_whole_file(wish.file, text);
+  } else {
+    std::cout << text;
+  }
+  return Exit::Done;
+}
+
+Exit show_map(const MapWish& wish) {
+  const OverlayReading reading = read_map(wish.file);
+  require_readable(reading, wish.file);
+  const std::string picture = picture_of(reading.map);
+  if (wish.out.empty()) {
+    std::cout << picture;
+  } else {
+    write_whole_file(wish.out, picture);
+    say("drew " + wish.file + " to " + wish.out);
+  }
+  return Exit::Done;
+}
+
+using Work = Exit (*)(const MapWish&);
+
+CLI::App* add(CLI::App& map, Exit& ending, const std::shared_ptr<MapWish>& wish,
+              const std::pair<const char*, const char*>& name_and_doc, Work work) {
+  CLI::App* command = map.add_subcommand(name_and_doc.first, name_and_doc.second);
+  command->add_option("file", wish->file, "A MissionLab overlay")
+      ->required()
+      ->type_name("FILE.ovl");
+  command->callback([wish, work, &ending] { ending = work(*wish); });
+  return command;
+}
+
+}  // namespace
+
+void add_map(CLI::App& app, Exit& ending) {
+  CLI::App* map = app.add_subcommand("map", "Check, format and draw maps (MissionLab overlays)");
+  map->require_subcommand(1);
+  map->footer(kExamples);
+  const auto wish = std::make_shared<MapWish>();
+  add(*map, ending, wish, {"check", "Tell errors and what looks odd"}, check_map)
+      ->add_flag("--json", wish->json, "As JSON");
+  add(*map, ending, wish, {"format", "Print it with every statement in one form"}, format_map)
+      ->add_flag("--write", wish->write, "Into the file itself");
+  add(*map, ending, wish, {"show", "Draw it as SVG"}, show_map)
+      ->add_option("--out", wish->out, "File to make; else it is printed")
+      ->type_name("FILE.svg");
+}
+
+}  // namespace tacit

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "idl/scenario/scenario_file.h"
+#include "world_server/world/world_config.h"
+
+namespace tacit {
+
+/// Reads the map that `world.area.map` names, if any, into `world`, which `file` has filled: size,
+/// walls, discs, mines, and the target or base at its start place. Then `map` is empty, so the
+/// configuration, written out, needs the map no more.
+///
+/// The map's walls and discs stand beside the scenario's own. Of the other values, those of the map
+/// win over whoever came before the one who named the map: a map named in the scenario fills in
+/// what that file leaves out, one named on the command line wins over the file as well. In the same
+/// way there are no random obstacles and the robots start gathered, unless somebody says otherwise.
+///
+/// A map named in the scenario is looked for beside the file, one named elsewhere in the working
+/// directory. Throws ConfigError when it cannot be read, has errors, or does not fit.
+void take_map(WorldConfig& world, const ScenarioFile& file);
+
+}  // namespace tacit
