@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLittle = 1e-6;
 /// Pairs of doors and sides; more are not looked through.
-constexpr std::size_t kMostPairs = 20'000'000;
+constexpr std::size_t kMostCompared = 20'000'000;
 
 double area_m2(const std::vector<MapPoint>& points) {
   double twice = 0.0;
@@ -98,7 +98,8 @@ class Checker {
              "found HALLWAY " + in_quotes(hallway.name) +
                  " whose outline encloses nothing, wanted an area");
     look_whether_outside("HALLWAY " + in_quotes(hallway.name), hallway.outline);
-    outlines_.push_back({at_, hallway.name, sides(hallway.outline, Outline::Closed), false, false});
+    outlines_.push_back(
+        {at_, hallway.name, sides(hallway.outline, Outline::Closed), Part::Hallway});
   }
 
   void look_at(const MapShape& shape) {
@@ -110,11 +111,12 @@ class Checker {
       case ShapeKind::Room:
         error_if(area_m2(shape.points) < kLittle,
                  "found " + what + " whose outline encloses nothing, wanted an area");
-        outlines_.push_back({at_, shape.name, sides(shape.points, Outline::Closed), true, false});
+        outlines_.push_back({at_, shape.name, sides(shape.points, Outline::Closed), Part::Room});
         break;
       case ShapeKind::Wall:
       case ShapeKind::Boundary:
         look_at_line(what, shape);
+        outlines_.push_back({at_, what, sides(shape.points, Outline::Open), Part::Wall});
         break;
       case ShapeKind::Door:
       case ShapeKind::Gap:
@@ -168,12 +170,13 @@ class Checker {
                          ", wanted it inside; what lies outside is not built");
   }
 
+  enum class Part : std::uint8_t { Room, Hallway, Wall };
   struct PlacedOutline {
     MapSpot at;
     std::string name;
     std::vector<MapSegment> sides;
-    bool room;
-    bool has_opening;
+    Part part = Part::Wall;
+    bool has_opening = false;
   };
   struct PlacedOpening {
     MapSpot at;
@@ -190,30 +193,47 @@ class Checker {
   void check_doors() {
     std::size_t all_sides = 1;
     for (const PlacedOutline& outline : outlines_) all_sides += outline.sides.size();
-    if (openings_.size() > kMostPairs / all_sides) {
+    if (openings_.size() > kMostCompared / all_sides) {
       at_ = {};
       note(Severity::Warning, "found too many doors and rooms to compare, wanted fewer");
       return;
     }
     for (const PlacedOpening& door : openings_) check_door(door);
+    if (wall_kind(map_) == ShapeKind::Room) check_rooms();
+  }
+
+  /// Where the map draws walls of its own, a room may be shut on purpose, or open without a door.
+  void check_rooms() {
     for (const PlacedOutline& outline : outlines_) {
       at_ = outline.at;
       warn_if(
-          outline.room && !outline.has_opening,
+          outline.part == Part::Room && !outline.has_opening,
           "found ROOM " + in_quotes(outline.name) + " without a door, wanted a DOOR or GAP in it");
     }
   }
 
   void check_door(const PlacedOpening& door) {
-    bool placed = outlines_.empty();
+    bool placed = false;
     for (PlacedOutline& outline : outlines_) {
       if (lies_in(door.opening, outline)) {
         placed = outline.has_opening = true;
+        look_whether_shut(outline, door);
       }
     }
     at_ = door.at;
     warn_if(!placed && door.opening.kind == MapOpening::Kind::Door,
-            "found " + door.what + " in no wall of a room or hallway, wanted it in one");
+            "found " + door.what +
+                " in no wall, wanted both its ends in the line of a wall, a room's side or a "
+                "hallway's side");
+  }
+
+  void look_whether_shut(const PlacedOutline& outline, const PlacedOpening& door) {
+    if (outline.part != Part::Wall || outline.sides.size() != 1) return;
+    const auto stretch = opened(outline.sides.front(), door.opening);
+    at_ = outline.at;
+    warn_if(stretch && takes_all(outline.sides.front(), *stretch),
+            "found " + outline.name + " whole in " + door.what +
+                ", which opens it; wanted the opening gone if this wall is to shut it");
   }
 
   const OverlayMap& map_;

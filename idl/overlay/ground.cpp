@@ -4,8 +4,10 @@
 #include <array>
 #include <limits>
 #include <set>
+#include <string>
 
 #include "idl/overlay/tokens.h"
+#include "idl/types/config_error.h"
 
 namespace tacit {
 namespace {
@@ -41,12 +43,27 @@ std::vector<MapOpening> openings(const OverlayMap& map, Doors doors) {
   return found;
 }
 
-void add_wall(const MapSegment& wall, bool may_shut, const std::vector<MapOpening>& openings,
+/// Of all shapes of one kind.
+std::size_t corners(const OverlayMap& map, ShapeKind kind) {
+  std::size_t count = 0;
+  for (const MapShape* shape : all<MapShape>(map)) {
+    count += shape->kind == kind ? shape->points.size() : 0;
+  }
+  return count;
+}
+
+void require_few(std::size_t pairs, const std::string& what) {
+  if (pairs > kMostPairs) {
+    throw ConfigError("found a map with too many pairs of " + what +
+                      " to compare, wanted at most " + std::to_string(kMostPairs));
+  }
+}
+
+void add_wall(const MapSegment& wall, const std::vector<MapOpening>& openings,
               std::vector<MapSegment>& walls) {
   std::vector<MapStretch> stretches;
   for (const MapOpening& opening : openings) {
-    const auto stretch = opened(wall, opening);
-    if (stretch && !(may_shut && takes_all(wall, *stretch))) {
+    if (const auto stretch = opened(wall, opening)) {
       stretches.push_back(*stretch);
     }
   }
@@ -161,7 +178,9 @@ bool in_a_disc(const MapPoint& p, const std::vector<std::vector<double>>& discs)
 
 void add_mines(const OverlayMap& map, MapGround& ground) {
   std::set<std::vector<double>> known;
-  for (const MapObject* one : all<MapObject>(map)) {
+  const std::vector<const MapObject*> objects = all<MapObject>(map);
+  require_few(objects.size() * ground.discs.size(), "objects and obstacles");
+  for (const MapObject* one : objects) {
     const MapPoint at = shifted(one->centre, ground.shift_m);
     std::vector<double> row{at.x_m, at.y_m};
     if (is_mine(*one) && inside(at, ground.size) && !in_a_disc(at, ground.discs) &&
@@ -201,12 +220,13 @@ ShapeKind wall_kind(const OverlayMap& map) {
 std::vector<MapSegment> walls_of(const OverlayMap& map, Doors doors) {
   const ShapeKind kind = wall_kind(map);
   const std::vector<MapOpening> open = openings(map, doors);
+  require_few(open.size() * corners(map, kind), "walls and doors");
   std::vector<MapSegment> walls;
   for (const MapShape* shape : all<MapShape>(map)) {
     if (shape->kind == kind) {
       const Outline outline = kind == ShapeKind::Room ? Outline::Closed : Outline::Open;
       for (const MapSegment& side : sides(shape->points, outline)) {
-        add_wall(side, kind == ShapeKind::Wall, open, walls);
+        add_wall(side, open, walls);
       }
     } else if (shape->kind == ShapeKind::Door && doors == Doors::Closed) {
       walls.push_back({shape->points.at(0), shape->points.at(1)});

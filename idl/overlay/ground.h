@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -22,6 +23,9 @@ struct MapGround {
   std::optional<MapPoint> start;
 };
 
+/// What is compared pair by pair may make so many; about a second's work. [ours]
+inline constexpr std::size_t kMostPairs = 400'000'000;
+
 /// The kind of line that makes the map's walls: WALL if there is one, else ROOM, else BOUNDARY.
 ///
 /// A map with WALLs draws its rooms' sides with them, gaps left out, and means ROOM as the area
@@ -33,8 +37,10 @@ struct MapGround {
 /// The walls as the map has them, doors and gaps cut out, in the map's frame.
 ///
 /// A DOOR opens the walls in whose line it lies; one that is closed stands as a wall. A GAP opens
-/// the walls that it leads through. A WALL that lies whole in an opening stays: it was drawn to
-/// shut it.
+/// the walls that it leads through. A wall that lies whole in an opening goes, even if it was drawn
+/// to shut it; `check` tells of it.
+///
+/// Throws ConfigError when there are more than `kMostPairs` pairs of a wall and an opening.
 [[nodiscard]] std::vector<MapSegment> walls_of(const OverlayMap& map, Doors doors);
 
 /// A rectangle on the map.
@@ -49,6 +55,8 @@ struct MapExtent {
 /// without one it is the bounding box of all places with 1 m around. Walls are cut off at its
 /// border; what lies outside is left out. Discs are OBSTACLEs and the fixed OBJECTs that are black
 /// (rocks) or DarkSeaGreen (trees); mines are movable orange OBJECTs that lie in no disc.
+///
+/// Throws ConfigError as `walls_of` does, and for as many pairs of a mine and a disc.
 [[nodiscard]] MapGround ground_of(const OverlayMap& map, Doors doors);
 
 }  // namespace tacit

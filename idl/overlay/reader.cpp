@@ -27,7 +27,7 @@ class Reader {
   OverlayReading read() {
     note_zero_byte();
     std::size_t at = text_.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-    for (std::uint32_t line = 1; at < text_.size(); ++line) {
+    for (std::uint32_t line = 1; at < text_.size() && !full_; ++line) {
       const std::size_t end = std::min(text_.find('\n', at), text_.size());
       take_line(at, end, line);
       at = end + 1;
@@ -38,8 +38,11 @@ class Reader {
   }
 
  private:
+  /// Warnings leave room for errors.
   void note(Severity severity, MapSpot at, const std::string& text) {
-    if (reading_.findings.size() < kMostFindings) {
+    const bool error = severity == Severity::Error;
+    std::size_t& told = error ? errors_ : warnings_;
+    if (++told <= kMostFindings / 2) {
       reading_.findings.push_back({severity, at, text});
     }
   }
@@ -72,7 +75,13 @@ class Reader {
 
   /// The statement in `tokens_` is whole.
   void finish() {
-    if (tokens_.empty()) return;
+    if (tokens_.empty() || full_) return;
+    if (reading_.map.statements.size() == kMostStatements) {
+      full_ = true;
+      note(Severity::Error, tokens_.front().at,
+           "found more than " + std::to_string(kMostStatements) + " statements, wanted fewer");
+      return;
+    }
     MapStatement statement;
     const std::size_t begin = tokens_.front().begin;
     statement.at = tokens_.front().at;
@@ -114,6 +123,7 @@ class Reader {
   }
 
   void note_unknown(const MapToken& token) {
+    if (warnings_ >= kMostFindings / 2) return;  // A guess takes longer than the reading.
     const std::string_view near = nearest_keyword(token.text);
     const std::string text =
         refusal(token, "a statement of a map; it is kept, not used").finding.text;
@@ -127,6 +137,9 @@ class Reader {
   std::vector<MapToken> tokens_;  ///< Of the statement that is being read.
   std::optional<MapSpot> open_quote_;
   bool too_long_ = false;
+  bool full_ = false;
+  std::size_t errors_ = 0;
+  std::size_t warnings_ = 0;
   std::size_t last_ = 0;  ///< Where its last word ends.
   std::size_t kept_ = 0;  ///< Up to where the text lies in statements.
 };

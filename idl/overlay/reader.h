@@ -14,10 +14,12 @@ struct OverlayReading {
   MapFindings findings;  ///< In order of place.
 };
 
-/// More errors and warnings than this are not told.
+/// More errors and warnings than this are not told, at most half of them of either kind.
 inline constexpr std::size_t kMostFindings = 100;
 /// A statement has at most so many words.
 inline constexpr std::size_t kMostWords = 200'000;
+/// A map has at most so many statements; more are an error and stay unread in the map's `ending`.
+inline constexpr std::size_t kMostStatements = 2'000'000;
 
 /// Reads a MissionLab overlay (.ovl).
 ///

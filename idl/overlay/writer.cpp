@@ -96,6 +96,21 @@ bool is_unchanged(const MapStatement& statement) {
          reading.map.statements.front().content == statement.content;
 }
 
+std::string spelled_or_new(const MapStatement& statement) {
+  return is_unchanged(statement) ? statement.spelled : to_text(statement.content);
+}
+
+/// Whether a comment stands between the lines of a statement.
+bool holds_comment(std::string_view spelled) {
+  bool quoted = false;
+  for (std::size_t i = 0; i + 1 < spelled.size(); ++i) {
+    const char c = spelled[i];
+    quoted = c != '\n' && (quoted != (c == '"'));
+    if (!quoted && c == '-' && spelled[i + 1] == '-') return true;
+  }
+  return false;
+}
+
 template <class Spell>
 std::string printed(const OverlayMap& map, Spell spell) {
   std::string text;
@@ -114,14 +129,13 @@ std::string printed(const OverlayMap& map, Spell spell) {
 
 std::string to_text(const MapContent& content) { return std::visit(Printer{}, content); }
 
-std::string to_text(const OverlayMap& map) {
-  return printed(map, [](const MapStatement& statement) {
-    return is_unchanged(statement) ? statement.spelled : to_text(statement.content);
-  });
-}
+std::string to_text(const OverlayMap& map) { return printed(map, spelled_or_new); }
 
 std::string to_canonical_text(const OverlayMap& map) {
-  return printed(map, [](const MapStatement& statement) { return to_text(statement.content); });
+  return printed(map, [](const MapStatement& statement) {
+    return holds_comment(statement.spelled) ? spelled_or_new(statement)
+                                            : to_text(statement.content);
+  });
 }
 
 }  // namespace tacit

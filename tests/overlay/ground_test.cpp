@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "idl/types/config_error.h"
 #include "tests/overlay/sample_map.h"
 
 namespace tacit {
@@ -47,8 +48,15 @@ TEST(Ground, HasAGapCutOutOfEveryWallThatItLeadsThrough) {
   EXPECT_NEAR(walled_m(it), 16.0, 1e-9);
 }
 
-TEST(Ground, KeepsAWallThatLiesWholeInAnOpening) {
-  EXPECT_DOUBLE_EQ(walled_m(ground("WALL shut 4 5 6 5\nGAP g 5 4 5 6 2")), 2.0);
+TEST(Ground, OpensAWallThatLiesWholeInAnOpening) {
+  EXPECT_TRUE(ground("WALL shut 4 5 6 5\nGAP g 5 4 5 6 2").walls.empty());
+  EXPECT_TRUE(ground("WALL shut 4.5 5 5.5 5\nDOOR d 4 5 6 5").walls.empty());
+}
+
+TEST(Ground, RefusesMoreWallsAndDoorsThanCanBeCompared) {
+  std::string text;
+  for (int i = 0; i < 20'001; ++i) text += "WALL w 0 0 1 1\nDOOR d 4 5 6 5\n";
+  EXPECT_THROW((void)ground(text), ConfigError);
 }
 
 TEST(Ground, LeavesAWallAcrossADoorAlone) {

@@ -34,6 +34,12 @@ TEST(OverlayWriter, PrintsACanonicalTextThatIsItsOwnCanonicalText) {
   EXPECT_EQ(map_of(once), map_of(kSampleMap));
 }
 
+TEST(OverlayWriter, KeepsCommentsBetweenTheLinesOfAStatement) {
+  const std::string text = "wall a 0 0 -- from here\n  1 1 -- to there\npp \"b -- c\" 1 2\n";
+  EXPECT_EQ(to_canonical_text(map_of(text)),
+            "wall a 0 0 -- from here\n  1 1 -- to there\nPP \"b -- c\" 1 2\n");
+}
+
 double number(Stream& chance) { return chance.uniform(-1.0, 1.0) * 1e3; }
 
 MapContent content(Stream& chance) {
