@@ -8,8 +8,10 @@
 #include "console/record/record_error.h"
 #include "deploy/tacit/commands.h"
 #include "deploy/tacit/map_picture.h"
+#include "deploy/tacit/map_text.h"
 #include "deploy/tacit/say.h"
 #include "idl/overlay/check.h"
+#include "idl/overlay/office.h"
 #include "idl/overlay/reader.h"
 #include "idl/overlay/writer.h"
 #include "idl/types/config_error.h"
@@ -21,6 +23,8 @@ constexpr const char* kExamples = R"(Examples:
   tacit map check building.ovl                  what is wrong with it
   tacit map format building.ovl --write         every statement in one form, comments kept
   tacit map show building.ovl --out building.svg
+  tacit map show building.ovl --text
+  tacit map generate --seed 7 --rooms 6 -o office.ovl
   tacit run guard --map building.ovl
 
 Exit codes: 0 good, 2 the map has errors or cannot be read. docs/maps.md describes the format.)";
@@ -30,6 +34,9 @@ struct MapWish {
   std::string out;
   bool json = false;
   bool write = false;
+  bool text = false;
+  std::uint64_t seed = 1;
+  OfficeConfig office;
 };
 
 OverlayReading read_map(const std::string& file) {
@@ -102,16 +109,27 @@ Exit format_map(const MapWish& wish) {
   return Exit::Done;
 }
 
+void put_out(const std::string& text, const MapWish& wish, const std::string& deed) {
+  if (wish.out.empty()) {
+    std::cout << text;
+  } else {
+    write_whole_file(wish.out, text);
+    say(deed + " to " + wish.out);
+  }
+}
+
 Exit show_map(const MapWish& wish) {
+  constexpr int kColumns = 100;
   const OverlayReading reading = read_map(wish.file);
   require_readable(reading, wish.file);
-  const std::string picture = picture_of(reading.map);
-  if (wish.out.empty()) {
-    std::cout << picture;
-  } else {
-    write_whole_file(wish.out, picture);
-    say("drew " + wish.file + " to " + wish.out);
-  }
+  put_out(wish.text ? text_picture_of(reading.map, kColumns) : picture_of(reading.map), wish,
+          "drew " + wish.file);
+  return Exit::Done;
+}
+
+Exit generate_map(const MapWish& wish) {
+  put_out(to_text(random_office(wish.seed, wish.office)), wish,
+          "wrote an office building of seed " + std::to_string(wish.seed));
   return Exit::Done;
 }
 
@@ -127,10 +145,28 @@ CLI::App* add(CLI::App& map, Exit& ending, const std::shared_ptr<MapWish>& wish,
   return command;
 }
 
+void add_generate(CLI::App& map, Exit& ending, const std::shared_ptr<MapWish>& wish) {
+  CLI::App* command = map.add_subcommand("generate", "Make an office building by chance");
+  command->add_option("--seed", wish->seed, "The same seed gives the same building")
+      ->required()
+      ->type_name("N");
+  command->add_option("--rooms", wish->office.rooms, "2 to 8; else 4 to 8 by chance")
+      ->type_name("N");
+  command->add_option("--closed", wish->office.closed_rooms, "So many of them without a door")
+      ->type_name("N");
+  command->add_option("--suspects", wish->office.suspects, "Suspect objects, one of them real")
+      ->type_name("N");
+  command->add_flag("!--no-sentry", wish->office.sentry, "No yard and no sentry's way");
+  command->add_option("-o,--out", wish->out, "File to make; else it is printed")
+      ->type_name("FILE.ovl");
+  command->callback([wish, &ending] { ending = generate_map(*wish); });
+}
+
 }  // namespace
 
 void add_map(CLI::App& app, Exit& ending) {
-  CLI::App* map = app.add_subcommand("map", "Check, format and draw maps (MissionLab overlays)");
+  CLI::App* map =
+      app.add_subcommand("map", "Check, format, draw and make maps (MissionLab overlays)");
   map->require_subcommand(1);
   map->footer(kExamples);
   const auto wish = std::make_shared<MapWish>();
@@ -138,9 +174,11 @@ void add_map(CLI::App& app, Exit& ending) {
       ->add_flag("--json", wish->json, "As JSON");
   add(*map, ending, wish, {"format", "Print it with every statement in one form"}, format_map)
       ->add_flag("--write", wish->write, "Into the file itself");
-  add(*map, ending, wish, {"show", "Draw it as SVG"}, show_map)
-      ->add_option("--out", wish->out, "File to make; else it is printed")
+  CLI::App* show = add(*map, ending, wish, {"show", "Draw it as SVG or in letters"}, show_map);
+  show->add_option("-o,--out", wish->out, "File to make; else it is printed")
       ->type_name("FILE.svg");
+  show->add_flag("--text", wish->text, "In letters");
+  add_generate(*map, ending, wish);
 }
 
 }  // namespace tacit
