@@ -235,6 +235,15 @@ MapContent unknown(std::span<const MapToken> tokens) {
   return MapUnknown{text};
 }
 
+/// Whether it is "CONTROL MEASURES:", with or without the colon.
+bool is_measures(std::span<const MapToken> tokens) {
+  std::string text;
+  for (const MapToken& token : tokens.first(std::min<std::size_t>(tokens.size(), 4))) {
+    text += capitals(token.text);
+  }
+  return text == "CONTROLMEASURES" || text == "CONTROLMEASURES:";
+}
+
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -262,9 +271,7 @@ MapContent content_of(std::span<const MapToken> tokens) {
   if (keyword == "OBSTACLE") return obstacle(Words(tokens));
   if (keyword == "OBJECT") return object(Words(tokens));
   if (keyword == "HALLWAY") return hallway(Words(tokens));
-  const bool measures =
-      keyword == "CONTROL" && tokens.size() > 1 && capitals(tokens[1].text).starts_with("MEASURES");
-  return measures ? MapContent(MapMeasures{}) : unknown(tokens);
+  return is_measures(tokens) ? MapContent(MapMeasures{}) : unknown(tokens);
 }
 
 std::string_view nearest_keyword(std::string_view typed) {

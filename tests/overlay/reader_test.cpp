@@ -43,6 +43,13 @@ TEST(OverlayReader, TakesAnObjectWithItsMobilityAndColour) {
             (MapObject{{1.0, 2.0}, 3.0, Mobility::Container, "purple"}));
 }
 
+TEST(OverlayReader, TakesTheLineControlMeasuresAndNoOtherLikeIt) {
+  (void)only<MapMeasures>("Control Measures:");
+  (void)only<MapMeasures>("CONTROL MEASURES");
+  EXPECT_TRUE(std::holds_alternative<MapUnknown>(
+      map_of("CONTROL MEASURES: PP a 1 2\n").statements.at(0).content));
+}
+
 TEST(OverlayReader, KeepsAnUnknownStatementWithAWarningAndAGuess) {
   EXPECT_EQ(findings_of("WAL w 0 0 1 1\n"),
             "m:1:1: warning: found \"WAL\", wanted a statement of a map; it is kept, not used, did "
