@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "console/report/svg.h"
@@ -62,6 +65,7 @@ class Drawing {
     for (const MapStatement& statement : map_.statements) {
       std::visit([this](const auto& content) { draw(content); }, statement.content);
     }
+    name_points();
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + svg_number(width_) +
            "\" height=\"" + svg_number(height_) + "\" font-family=\"sans-serif\">\n" +
            "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + area() + layers_.floors +
@@ -177,8 +181,18 @@ class Drawing {
     constexpr std::string_view kCross = "stroke=\"#1864ab\" stroke-width=\"1.5\"";
     layers_.bodies += svg_line({p.x - 4, p.y}, {p.x + 4, p.y}, kCross) +
                       svg_line({p.x, p.y - 4}, {p.x, p.y + 4}, kCross);
-    if (is_shown(shape.name)) {
-      name({p.x + 6, p.y - 5}, shape.name, 11.0, "fill=\"#1864ab\"");
+    const bool start = shape.kind == ShapeKind::PassagePoint && is_start_place(shape.name);
+    if (start || is_shown(shape.name)) {
+      std::string& names = point_names_[{first.x_m, first.y_m}];
+      names += (names.empty() ? "" : ", ") + (start ? "Start" : shape.name);
+    }
+  }
+
+  /// Points in the same place share a line.
+  void name_points() {
+    for (const auto& [place, names] : point_names_) {
+      const SvgPlace p = at({place.first, place.second});
+      name({p.x + 7, p.y - 7}, names, 11.0, "fill=\"#1864ab\"");
     }
   }
 
@@ -207,9 +221,14 @@ class Drawing {
     name({middle.x, middle.y + size / 3}, text, size, "text-anchor=\"middle\" fill=\"#5f4b1b\"");
   }
 
+  /// With a light rim, so that it can be read on anything.
   void name(SvgPlace place, const std::string& text, double size, std::string_view style) {
+    constexpr std::string_view kRim =
+        " stroke=\"#ffffff\" stroke-opacity=\"0.75\" stroke-width=\"3\" paint-order=\"stroke\" "
+        "stroke-linejoin=\"round\" ";
     layers_.names +=
-        svg_text(place, text, "font-size=\"" + svg_number(size) + "\" " + std::string(style));
+        svg_text(place, text,
+                 "font-size=\"" + svg_number(size) + '"' + std::string(kRim) + std::string(style));
   }
 
   /// 1, 2 or 5 times a power of ten, at most a quarter of the picture.
@@ -235,6 +254,7 @@ class Drawing {
   double width_ = 0.0;
   double height_ = 0.0;
   Layers layers_;
+  std::map<std::pair<double, double>, std::string> point_names_;
 };
 
 }  // namespace

@@ -83,7 +83,7 @@ class Architect {
                   : between(0, most_closed);
     const Dm open = rooms_wanted_ - closed_;
     suspects_ = config.suspects ? within(config.suspects, "suspect objects", 1, open)
-                                : between(1, std::min<Dm>(3, open));
+                                : between(std::min<Dm>(2, open), std::min<Dm>(3, open));
   }
 
   void decide_sizes() {
@@ -231,7 +231,7 @@ class Architect {
     const Dm far = east_ + kYard - 15;
     const Dm low = middle() - 30;
     const std::vector<Place> way{
-        {near, low},     {far, low}, {far, middle()}, {near, middle()}, {kMargin + 20, middle()},
+        {near, low},     {far, low}, {far, middle()}, {near, middle()}, {kMargin + 35, middle()},
         {near, middle()}};
     title_ = "A sentry's way";
     for (std::size_t i = 0; i < way.size(); ++i) {

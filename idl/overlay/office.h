@@ -13,7 +13,7 @@ struct OfficeConfig {
   std::optional<std::int64_t> rooms = {};
   /// So many of them without a door, fewer than all; else at most 2.
   std::optional<std::int64_t> closed_rooms = {};
-  /// Suspect objects, 1 to the number of open rooms; else at most 3.
+  /// Suspect objects, 1 to the number of open rooms; else 2 or 3 if there are so many.
   std::optional<std::int64_t> suspects = {};
   /// A yard before the entry, and a sentry's way through yard and hallway.
   bool sentry = true;
