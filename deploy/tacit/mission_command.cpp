@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -92,13 +93,21 @@ cdl::Mission parsed_mission(const std::string& text, const std::string& file) {
   return std::move(parsed.mission);
 }
 
+/// Behind a link the file itself is replaced; who may read it stays.
+void replace(const std::string& file, const std::string& text) {
+  const std::filesystem::path target = std::filesystem::canonical(file);
+  const std::filesystem::perms rights = std::filesystem::status(target).permissions();
+  write_whole_file(target, text);
+  std::filesystem::permissions(target, rights);
+}
+
 Exit format_mission(const MissionWish& wish) {
   const std::string text = read_mission(wish);
   const std::string formatted = print(parsed_mission(text, wish.file));
   if (!wish.write) {
     std::cout << formatted;
   } else if (formatted != text) {
-    write_whole_file(wish.file, formatted);
+    replace(wish.file, formatted);
     say("wrote " + wish.file);
   }
   return Exit::Done;
@@ -106,7 +115,11 @@ Exit format_mission(const MissionWish& wish) {
 
 Exit show_mission(const MissionWish& wish) {
   const std::string text = read_mission(wish);
-  const cdl::Resolved resolved = resolve(parsed_mission(text, wish.file));
+  cdl::Resolved resolved = resolve(parsed_mission(text, wish.file));
+  locate(resolved.findings, text);
+  for (const cdl::Finding& finding : resolved.findings) {
+    say(cdl::to_text(finding, wish.file));
+  }
   const cdl::Box team = diagram_of(resolved.robots);
   if (team.inside.empty()) {
     throw ConfigError(wish.file + ": has no robots to show");

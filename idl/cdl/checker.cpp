@@ -20,8 +20,10 @@ constexpr std::size_t kLongestHinted = 64;
 
 void check_team(const Mission& mission, Findings& findings) {
   Resolved resolved = resolve(mission);
+  // An actuator may be missing for no other reason than a name that is not there.
+  const bool whole = !has_error(findings);
   for (const Robot& robot : resolved.robots) {
-    if (robot.actuators.empty()) {
+    if (whole && robot.actuators.empty()) {
       findings.push_back({Severity::Error, "no-actuators",
                           "the robot " + robot.name + " has no actuators, nothing can move it",
                           robot.span.begin, 0, 0});
