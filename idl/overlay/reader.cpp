@@ -20,12 +20,25 @@ bool goes_on_with(const MapToken& token) {
           std::find(kInner.begin(), kInner.end(), capitals(token.text)) != kInner.end());
 }
 
+/// About how many statements begin in `text`, at least one.
+std::size_t statements_in(std::string_view text) {
+  std::size_t count = 1;
+  bool begins = false;
+  for (const char c : text) {
+    count += begins && ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) ? 1 : 0;
+    begins = c == '\n';
+  }
+  return count;
+}
+
 class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
 
   OverlayReading read() {
     note_zero_byte();
+    // Moving a million statements to a larger place takes longer than reading them.
+    reading_.map.statements.reserve(std::min(statements_in(text_), kMostStatements));
     std::size_t at = text_.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
     for (std::uint32_t line = 1; at < text_.size() && !full_; ++line) {
       const std::size_t end = std::min(text_.find('\n', at), text_.size());

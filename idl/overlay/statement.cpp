@@ -83,6 +83,7 @@ class Words {
   /// All numbers up to the next word.
   std::vector<double> numbers() {
     std::vector<double> all;
+    all.reserve(tokens_.size() - next_);
     while (at_number()) {
       all.push_back(tokens_[next_++].number);
     }
@@ -99,6 +100,7 @@ class Words {
 
   static std::vector<MapPoint> paired(const std::vector<double>& numbers) {
     std::vector<MapPoint> all;
+    all.reserve(numbers.size() / 2);
     for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
       all.push_back({numbers[i], numbers[i + 1]});
     }
