@@ -101,7 +101,7 @@ TEST_P(Help, HasAnExample) {
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
                          testing::Values("run", "learn", "scenarios", "verify", "doctor",
-                                         "experiment"));
+                                         "experiment", "map"));
 
 class Interface : public testing::TestWithParam<const char*> {};
 
