@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "idl/types/config_error.h"
 #include "tests/world/sample_worlds.h"
 
 namespace tacit {
@@ -74,6 +75,48 @@ TEST(Start, RefusesARobotInsideAGivenObstacle) {
   WorldConfig config = empty_world(1);
   config.obstacles.discs = {{60.0, 50.0, 1.0}};
   EXPECT_NE(refusal(config).find("no room for robot 1"), std::string::npos);
+}
+
+WorldConfig gathered(std::int64_t robots) {
+  WorldConfig config = empty_world(robots);
+  config.robots.start = "gathered";
+  return config;
+}
+
+TEST(GatheredStart, PutsTheFirstRobotOnTheTargetAndTheOthersNearWithoutTouching) {
+  const WorldConfig config = gathered(20);
+  const std::vector<WorldPose> poses = starts(config);
+  ASSERT_EQ(poses.size(), 20u);
+  EXPECT_EQ(poses[0].position_m, (WorldVec{50.0, 50.0}));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_LT((poses[i].position_m - WorldVec{50.0, 50.0}).norm(), 20.0 * config.robots.radius_m);
+    for (std::size_t j = 0; j < i; ++j) {
+      ASSERT_GT((poses[j].position_m - poses[i].position_m).norm(), 2.0 * config.robots.radius_m);
+    }
+  }
+}
+
+TEST(GatheredStart, StaysOnOneSideOfAWall) {
+  WorldConfig config = gathered(60);
+  config.area.walls = {{50.5, 0.0, 50.5, 100.0}};
+  for (const WorldPose& pose : starts(config)) {
+    ASSERT_LT(pose.position_m.x(), 50.5 - config.robots.radius_m);
+  }
+}
+
+TEST(GatheredStart, GoesElsewhereWhenThereIsNoRoomAtTheTarget) {
+  WorldConfig config = gathered(3);
+  config.obstacles.discs = {{50.0, 50.0, 3.0}};
+  for (const WorldPose& pose : starts(config)) {
+    ASSERT_GT((pose.position_m - WorldVec{50.0, 50.0}).norm(), 3.0 + config.robots.radius_m);
+  }
+}
+
+TEST(GatheredStart, RefusesATeamThatIsShutInTooSmallARoom) {
+  WorldConfig config = gathered(500);
+  config.area.width_m = config.area.height_m = 4.0;
+  config.target.x_m = config.target.y_m = 2.0;
+  EXPECT_THROW((void)starts(config), ConfigError);
 }
 
 }  // namespace

@@ -155,8 +155,8 @@ class Scrambler final : public ParameterVisitor {
 
 // Binding every member keeps these lists complete: a new member does not compile.
 auto members(const AreaConfig& c) {
-  const auto& [m1, m2, m3, m4] = c;
-  return std::tie(m1, m2, m3, m4);
+  const auto& [m1, m2, m3, m4, m5, m6] = c;
+  return std::tie(m1, m2, m3, m4, m5, m6);
 }
 auto members(const TargetConfig& c) {
   const auto& [m1, m2, m3] = c;
