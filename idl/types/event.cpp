@@ -26,6 +26,20 @@ class Line {
     start(key).append(1, '"').append(value).append(1, '"');
     return *this;
   }
+  Line& flag(std::string_view key, bool value) {
+    start(key).append(value ? "true" : "false");
+    return *this;
+  }
+  /// Printable ASCII: quotes and backslashes alone need an escape.
+  Line& word(std::string_view key, const Word& value) {
+    std::string& out = start(key).append(1, '"');
+    for (const char letter : value.text()) {
+      if (letter == '"' || letter == '\\') out.append(1, '\\');
+      out.append(1, letter);
+    }
+    out.append(1, '"');
+    return *this;
+  }
   /// A digest as 16 hexadecimal digits, since JSON readers round large integers.
   Line& digest(std::string_view key, std::uint64_t value) {
     constexpr std::string_view kDigits = "0123456789abcdef";
@@ -133,7 +147,75 @@ struct ToLine {
     return Line(tick, "forage_begun").number("mines", e.mines).done();
   }
 
+  std::string operator()(const OperationBegun& e) const {
+    return Line(tick, "operation_begun").number("team", e.team).number("extras", e.extras).done();
+  }
+  std::string operator()(const ObjectTaken& e) const {
+    return object_line("object_taken", e.robot, e.object).done();
+  }
+  std::string operator()(const ObjectDropped& e) const {
+    return object_line("object_dropped", e.robot, e.object)
+        .number("x_m", e.position_m.x())
+        .number("y_m", e.position_m.y())
+        .done();
+  }
+  std::string operator()(const ObjectStored& e) const {
+    return object_line("object_stored", e.robot, e.object)
+        .number("container", e.container.value)
+        .done();
+  }
+  std::string operator()(const ObjectTested& e) const {
+    return object_line("object_tested", e.robot, e.object).text("finding", name(e.finding)).done();
+  }
+  std::string operator()(const DoorwayMarked& e) const {
+    return robot_line("doorway_marked", e.robot)
+        .number("doorway", e.doorway)
+        .flag("marked", e.marked)
+        .done();
+  }
+  std::string operator()(const SiteEntered& e) const {
+    return robot_line("site_entered", e.robot)
+        .text("site", name(e.site))
+        .number("number", e.number)
+        .done();
+  }
+  std::string operator()(const PointReached& e) const {
+    return robot_line("point_reached", e.robot).number("point", e.point).done();
+  }
+  std::string operator()(const Signalled& e) const {
+    return robot_line("signalled", e.robot).word("word", e.word).number("heard", e.heard).done();
+  }
+  std::string operator()(const Alerted& e) const {
+    return robot_line("alerted", e.robot).word("word", e.word).done();
+  }
+  std::string operator()(const RobotExposed& e) const {
+    return robot_line("robot_exposed", e.robot)
+        .number("to", e.to.value)
+        .flag("exposed", e.exposed)
+        .done();
+  }
+  std::string operator()(const RobotFinished& e) const {
+    return robot_line("robot_finished", e.robot).done();
+  }
+  std::string operator()(const OperatorActed& e) const {
+    return robot_line("operator_acted", e.robot)
+        .text("act", name(e.act))
+        .number("x", e.joystick.x())
+        .number("y", e.joystick.y())
+        .done();
+  }
+
  private:
+  [[nodiscard]] Line robot_line(std::string_view event, RobotId robot) const {
+    Line line(tick, event);
+    line.number("robot", robot.value);
+    return line;
+  }
+  [[nodiscard]] Line object_line(std::string_view event, RobotId robot, ObjectId object) const {
+    Line line = robot_line(event, robot);
+    line.number("object", object.value);
+    return line;
+  }
   [[nodiscard]] Line mine_line(std::string_view event, RobotId robot, MineId mine) const {
     Line line(tick, event);
     line.number("robot", robot.value).number("mine", mine.value);
@@ -142,6 +224,44 @@ struct ToLine {
 };
 
 }  // namespace
+
+const char* name(Finding finding) {
+  switch (finding) {
+    case Finding::None:
+      return "none";
+    case Finding::Harmless:
+      return "harmless";
+    case Finding::Dangerous:
+      return "dangerous";
+  }
+  return "?";
+}
+
+const char* name(Site site) {
+  switch (site) {
+    case Site::Open:
+      return "open";
+    case Site::Room:
+      return "room";
+    case Site::Hallway:
+      return "hallway";
+  }
+  return "?";
+}
+
+const char* name(OperatorAct act) {
+  switch (act) {
+    case OperatorAct::Steer:
+      return "steer";
+    case OperatorAct::LetGo:
+      return "let_go";
+    case OperatorAct::Proceed:
+      return "proceed";
+    case OperatorAct::SkipGoal:
+      return "skip_goal";
+  }
+  return "?";
+}
 
 const char* name(EnemyKind kind) {
   switch (kind) {

@@ -6,6 +6,8 @@
 
 #include "idl/types/frames.h"
 #include "idl/types/ids.h"
+#include "idl/types/percept.h"
+#include "idl/types/word.h"
 
 namespace tacit {
 
@@ -116,6 +118,109 @@ struct MissionOver {
   friend bool operator==(const MissionOver&, const MissionOver&) = default;
 };
 
+/// The first event of an operation.
+struct OperationBegun {
+  std::uint32_t team = 0;    ///< Robots that carry out the mission.
+  std::uint32_t extras = 0;  ///< Robots beside them: sentries, pedestrians.
+  friend bool operator==(const OperationBegun&, const OperationBegun&) = default;
+};
+
+struct ObjectTaken {
+  RobotId robot;
+  ObjectId object;
+  friend bool operator==(const ObjectTaken&, const ObjectTaken&) = default;
+};
+
+/// An object was put down outside every container.
+struct ObjectDropped {
+  RobotId robot;
+  ObjectId object;
+  WorldVec position_m;
+  friend bool operator==(const ObjectDropped&, const ObjectDropped&) = default;
+};
+
+/// An object was put into a container, for good.
+struct ObjectStored {
+  RobotId robot;
+  ObjectId object;
+  ObjectId container;
+  friend bool operator==(const ObjectStored&, const ObjectStored&) = default;
+};
+
+struct ObjectTested {
+  RobotId robot;
+  ObjectId object;
+  Finding finding = Finding::Harmless;
+  friend bool operator==(const ObjectTested&, const ObjectTested&) = default;
+};
+
+/// A doorway, numbered from 1 in the map's order, has got a mark or lost it.
+struct DoorwayMarked {
+  RobotId robot;
+  std::uint32_t doorway = 0;
+  bool marked = true;
+  friend bool operator==(const DoorwayMarked&, const DoorwayMarked&) = default;
+};
+
+/// A robot is in another room or hallway than before, or in the open; also said where it starts.
+struct SiteEntered {
+  RobotId robot;
+  Site site = Site::Open;
+  std::uint32_t number = 0;  ///< Of the room or hallway, from 1 in the map's order; 0 in the open.
+  friend bool operator==(const SiteEntered&, const SiteEntered&) = default;
+};
+
+/// A robot is at a point of the map, numbered from 1 in the map's order, for the first time.
+struct PointReached {
+  RobotId robot;
+  std::uint32_t point = 0;
+  friend bool operator==(const PointReached&, const PointReached&) = default;
+};
+
+/// A robot said something aloud, and so many others heard it.
+struct Signalled {
+  RobotId robot;
+  Word word;
+  std::uint32_t heard = 0;
+  friend bool operator==(const Signalled&, const Signalled&) = default;
+};
+
+/// A robot told its operator something.
+struct Alerted {
+  RobotId robot;
+  Word word;
+  friend bool operator==(const Alerted&, const Alerted&) = default;
+};
+
+/// A robot of the team has come into, or gone out of, the sight of an extra robot.
+struct RobotExposed {
+  RobotId robot;
+  RobotId to;
+  bool exposed = true;
+  friend bool operator==(const RobotExposed&, const RobotExposed&) = default;
+};
+
+/// A robot has nothing more to do.
+struct RobotFinished {
+  RobotId robot;
+  friend bool operator==(const RobotFinished&, const RobotFinished&) = default;
+};
+
+/// What an operator can tell a robot.
+enum class OperatorAct : std::uint8_t {
+  Steer,  ///< The joystick is held this way.
+  LetGo,  ///< It is let go.
+  Proceed,
+  SkipGoal,
+};
+
+struct OperatorActed {
+  RobotId robot;
+  OperatorAct act = OperatorAct::Proceed;
+  WorldVec joystick;  ///< Steer: where to, length 0 to 1.
+  friend bool operator==(const OperatorActed&, const OperatorActed&) = default;
+};
+
 /// A robot's agent is gone; the robot stands still until it is back.
 struct RobotLost {
   RobotId robot;
@@ -152,7 +257,9 @@ struct RunEnded {
 using Happening =
     std::variant<EnemyCreated, EnemyIntercepted, TargetHit, Collision, RobotLost, RobotBack,
                  RobotLate, Checkpoint, RunEnded, EnemyRetreated, MineTaken, MineDropped,
-                 MineStored, RobotDisabled, RobotRevived, MissionOver, ForageBegun>;
+                 MineStored, RobotDisabled, RobotRevived, MissionOver, ForageBegun, OperationBegun,
+                 ObjectTaken, ObjectDropped, ObjectStored, ObjectTested, DoorwayMarked, SiteEntered,
+                 PointReached, Signalled, Alerted, RobotExposed, RobotFinished, OperatorActed>;
 
 struct Event {
   Tick tick = 0;
@@ -168,6 +275,12 @@ struct Event {
 [[nodiscard]] const char* name(EnemyKind kind);
 /// "obstacle", "wall", "robot", "enemy".
 [[nodiscard]] const char* name(Obstruction obstruction);
+/// "harmless", "dangerous"; "none" for no finding.
+[[nodiscard]] const char* name(Finding finding);
+/// "open", "room", "hallway".
+[[nodiscard]] const char* name(Site site);
+/// "steer", "let_go", "proceed", "skip_goal".
+[[nodiscard]] const char* name(OperatorAct act);
 /// "mud", "enemy".
 [[nodiscard]] const char* name(Mishap mishap);
 /// "accomplished", "team_lost", "out_of_time".

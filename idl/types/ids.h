@@ -26,4 +26,10 @@ struct MineId {
   friend auto operator<=>(const MineId&, const MineId&) = default;
 };
 
+/// An object of the map, numbered from 1 in the map's order.
+struct ObjectId {
+  std::uint32_t value = 0;
+  friend auto operator<=>(const ObjectId&, const ObjectId&) = default;
+};
+
 }  // namespace tacit

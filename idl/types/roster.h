@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "idl/types/frames.h"
 #include "idl/types/ids.h"
 
 namespace tacit {
@@ -38,15 +39,21 @@ struct Order {
 enum class ControlKind : std::uint8_t {
   Pause,
   Resume,
-  Step,   ///< While paused: make `ticks` ticks.
-  Speed,  ///< `speed` times real time; 0 means as fast as it goes.
-  Stop,   ///< End the run now; what is recorded stays.
+  Step,      ///< While paused: make `ticks` ticks.
+  Speed,     ///< `speed` times real time; 0 means as fast as it goes.
+  Stop,      ///< End the run now; what is recorded stays.
+  Steer,     ///< In an operation: hold `robot`'s joystick towards `joystick`.
+  LetGo,     ///< Let its joystick go.
+  Proceed,   ///< Give it the word to go on.
+  SkipGoal,  ///< Let it leave out the goal under way.
 };
 
 struct Control {
   ControlKind kind = ControlKind::Pause;
   std::uint32_t ticks = 1;
   double speed = 0.0;
+  RobotId robot;      ///< Whom an operator's word is for; 0 is the whole team.
+  WorldVec joystick;  ///< Length 0 to 1.
 };
 
 /// How a run stands, told by the world server whenever it changes and a few times a second.
