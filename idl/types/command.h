@@ -34,8 +34,8 @@ struct Command {
   BodyVec velocity_mps;     ///< Wanted velocity over ground, body frame.
   double turn_radps = 0.0;  ///< Wanted turn rate, counter-clockwise.
   Act act = Act::None;
-  std::optional<Colour> about;  ///< Of objects to pick up or test; any colour when empty.
-  Word word;                    ///< To signal or to alert with.
+  std::optional<Colour> about{};  ///< Of objects to pick up or test; any colour when empty.
+  Word word{};                    ///< To signal or to alert with.
 };
 
 }  // namespace tacit

@@ -217,7 +217,7 @@ enum class OperatorAct : std::uint8_t {
 struct OperatorActed {
   RobotId robot;
   OperatorAct act = OperatorAct::Proceed;
-  WorldVec joystick;  ///< Steer: where to, length 0 to 1.
+  WorldVec joystick{};  ///< Steer: where to, length 0 to 1.
   friend bool operator==(const OperatorActed&, const OperatorActed&) = default;
 };
 

@@ -52,8 +52,8 @@ struct Control {
   ControlKind kind = ControlKind::Pause;
   std::uint32_t ticks = 1;
   double speed = 0.0;
-  RobotId robot;      ///< Whom an operator's word is for; 0 is the whole team.
-  WorldVec joystick;  ///< Length 0 to 1.
+  RobotId robot{};      ///< Whom an operator's word is for; 0 is the whole team.
+  WorldVec joystick{};  ///< Length 0 to 1.
 };
 
 /// How a run stands, told by the world server whenever it changes and a few times a second.
