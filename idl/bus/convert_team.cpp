@@ -70,14 +70,19 @@ void to_wire(const Control& word, wire::Control& wire) {
   wire.kind(static_cast<std::uint8_t>(word.kind));
   wire.ticks(word.ticks);
   wire.speed(word.speed);
+  wire.robot(word.robot.value);
+  wire.joystick_x(word.joystick.x());
+  wire.joystick_y(word.joystick.y());
 }
 
 Flaw from_wire(const wire::Control& wire, Control& word) {
   Sieve sieve;
-  word.kind = sieve.code(wire.kind(), ControlKind::Stop, "unknown kind of control");
+  word.kind = sieve.code(wire.kind(), ControlKind::SkipGoal, "unknown kind of control");
   word.ticks = wire.ticks();
   sieve.pass(word.ticks != 0, "ticks is 0, wanted at least 1");
   word.speed = sieve.number(wire.speed(), 0.0, limits::kSpeedFactor, "speed is not in 0 to 1e6");
+  word.robot = {wire.robot()};
+  word.joystick = sieve_joystick<WorldVec>(sieve, wire.joystick_x(), wire.joystick_y());
   return sieve.flaw();
 }
 

@@ -21,6 +21,7 @@ void to_wire(const ViewedRobot& word, wire::ViewedRobot& wire) {
   wire.present(word.present ? 1 : 0);
   wire.able(word.able ? 1 : 0);
   wire.holding(word.holding ? 1 : 0);
+  wire.colour(static_cast<std::uint8_t>(word.colour));
 }
 
 void from_wire(Sieve& sieve, const wire::ViewedRobot& wire, ViewedRobot& word) {
@@ -33,6 +34,7 @@ void from_wire(Sieve& sieve, const wire::ViewedRobot& wire, ViewedRobot& word) {
   word.present = sieve.flag(wire.present(), "present is neither 0 nor 1");
   word.able = sieve.flag(wire.able(), "able is neither 0 nor 1");
   word.holding = sieve.flag(wire.holding(), "holding is neither 0 nor 1");
+  word.colour = sieve.code(wire.colour(), Colour::Grey, "unknown colour of a robot");
 }
 
 void to_wire(const ViewedEnemy& word, wire::ViewedEnemy& wire) {
@@ -61,6 +63,24 @@ void from_wire(Sieve& sieve, const wire::ViewedMine& wire, ViewedMine& word) {
   word.mine = {wire.mine()};
   word.position_m = sieve_vec<WorldVec>(sieve, wire.x_m(), wire.y_m(), limits::kPositionM,
                                         "mine is not within 1e6 m");
+}
+
+void to_wire(const ViewedObject& word, wire::ViewedObject& wire) {
+  wire.number(word.object.value);
+  wire.x_m(word.position_m.x());
+  wire.y_m(word.position_m.y());
+  wire.radius_m(word.radius_m);
+  wire.colour(static_cast<std::uint8_t>(word.colour));
+}
+
+void from_wire(Sieve& sieve, const wire::ViewedObject& wire, ViewedObject& word) {
+  sieve.pass(wire.number() != 0, "object is 0, wanted at least 1");
+  word.object = {wire.number()};
+  word.position_m = sieve_vec<WorldVec>(sieve, wire.x_m(), wire.y_m(), limits::kPositionM,
+                                        "object is not within 1e6 m");
+  word.radius_m =
+      sieve.number(wire.radius_m(), 0.0, limits::kRadiusM, "radius is not in 0 to 1e4 m");
+  word.colour = sieve.code(wire.colour(), Colour::Grey, "unknown colour of an object");
 }
 
 void to_wire(const SchemaShare& word, wire::SchemaShare& wire) {
@@ -97,6 +117,7 @@ void to_wire(const WorldView& word, wire::WorldView& wire) {
   list_to_wire(word.robots, wire.robots(), WorldView::kMaxBodies);
   list_to_wire(word.enemies, wire.enemies(), WorldView::kMaxBodies);
   list_to_wire(word.mines, wire.mines(), WorldView::kMaxBodies);
+  list_to_wire(word.objects, wire.objects(), WorldView::kMaxBodies);
 }
 
 Flaw from_wire(const wire::WorldView& wire, WorldView& word) {
@@ -106,10 +127,12 @@ Flaw from_wire(const wire::WorldView& wire, WorldView& word) {
   sieve.pass(wire.robots().size() <= WorldView::kMaxBodies, "more robots than a view holds");
   sieve.pass(wire.enemies().size() <= WorldView::kMaxBodies, "more enemies than a view holds");
   sieve.pass(wire.mines().size() <= WorldView::kMaxBodies, "more mines than a view holds");
+  sieve.pass(wire.objects().size() <= WorldView::kMaxBodies, "more objects than a view holds");
   if (sieve.flaw()) return sieve.flaw();
   list_from_wire(sieve, wire.robots(), word.robots);
   list_from_wire(sieve, wire.enemies(), word.enemies);
   list_from_wire(sieve, wire.mines(), word.mines);
+  list_from_wire(sieve, wire.objects(), word.objects);
   return sieve.flaw();
 }
 

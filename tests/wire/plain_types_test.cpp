@@ -43,6 +43,14 @@ TEST(PlainTypes, APerceptHoldsAsMuchAsTheWordAllows) {
   wire::Percept wire;
   EXPECT_EQ(wire.sightings().size(), Percept::kMaxSightings);
   EXPECT_EQ(wire.obstacles().size(), Percept::kMaxObstacles);
+  EXPECT_EQ(wire.doorways().size(), Percept::kMaxDoorways);
+  EXPECT_EQ(wire.heard().size(), Percept::kMaxHeard);
+  EXPECT_EQ(wire.heard()[0].size(), Word::kMaxLength + 1);
+}
+
+TEST(PlainTypes, HaveNoPaddingAtTheirEnd) {
+  EXPECT_EQ(sizeof(wire::Percept) % 8, 0U);
+  EXPECT_EQ(sizeof(wire::Command) % 8, 0U);
 }
 
 }  // namespace

@@ -37,6 +37,9 @@ wire::Percept percept() {
   Percept word = test::Words(1).percept();
   word.sightings.resize(3);
   word.obstacles.resize(2);
+  word.doorways.resize(2);
+  word.heard = {Word("one"), Word("two")};
+  word.hallway = {{}, {1.0, 0.0}, 1.0, 1.0, 1.0};
   return sound<wire::Percept>(word);
 }
 wire::Command command() { return sound<wire::Command>(test::Words(2).command()); }
@@ -50,6 +53,7 @@ wire::WorldView view() {
   word.robots.push_back({{1}, {}, {}, true});
   word.enemies.push_back({{1}, EnemyKind::Hunter, {}});
   word.mines.push_back({{1}, {}});
+  word.objects.push_back({{1}, {}, 0.5, Colour::Brown});
   return sound<wire::WorldView>(word);
 }
 
@@ -81,16 +85,66 @@ TEST(Refusal, OfAPerceptNamesEachBadMember) {
   EXPECT_REFUSED(Percept, percept(), w.touching(2));
   EXPECT_REFUSED(Percept, percept(), w.able(2));
   EXPECT_REFUSED(Percept, percept(), w.holding(2));
-  EXPECT_REFUSED(Percept, percept(), w.deeds(32));
+  EXPECT_REFUSED(Percept, percept(), w.held(12));
+  EXPECT_REFUSED(Percept, percept(), w.tested(3));
   EXPECT_REFUSED(Percept, percept(), w.sighting_count(129));
   EXPECT_REFUSED(Percept, percept(), w.obstacle_count(65));
-  EXPECT_REFUSED(Percept, percept(), w.sighting_kind()[2] = 5);
-  EXPECT_REFUSED(Percept, percept(), w.sighting_colour()[2] = 6);
+  EXPECT_REFUSED(Percept, percept(), w.sighting_kind()[2] = 6);
+  EXPECT_REFUSED(Percept, percept(), w.sighting_colour()[2] = 12);
   EXPECT_REFUSED(Percept, percept(), w.sightings()[2].x_m(kNaN));
   EXPECT_REFUSED(Percept, percept(), w.sightings()[2].y_m(-kInf));
   EXPECT_REFUSED(Percept, percept(), w.sightings()[2].radius_m(-1e-9));
   EXPECT_REFUSED(Percept, percept(), w.obstacles()[1].x_m(1.1e6));
   EXPECT_REFUSED(Percept, percept(), w.obstacles()[1].radius_m(kNaN));
+}
+
+TEST(Refusal, OfWhatARobotKnowsOfAMapNamesEachBadMember) {
+  EXPECT_REFUSED(Percept, percept(), w.site(3));
+  EXPECT_REFUSED(Percept, percept(), w.in_hallway(2));
+  EXPECT_REFUSED(Percept, percept(), w.hallway_x_m(kNaN));
+  EXPECT_REFUSED(Percept, percept(), w.hallway_y_m(1.1e6));
+  EXPECT_REFUSED(Percept, percept(), w.hallway_along_x(0.9));
+  EXPECT_REFUSED(Percept, percept(), w.hallway_along_y(kNaN));
+  EXPECT_REFUSED(Percept, percept(), w.hallway_ahead_m(-1e-9));
+  EXPECT_REFUSED(Percept, percept(), w.hallway_behind_m(kInf));
+  EXPECT_REFUSED(Percept, percept(), w.hallway_width_m(kNaN));
+  EXPECT_REFUSED(Percept, percept(), w.doorway_count(17));
+  EXPECT_REFUSED(Percept, percept(), w.doorways()[1].x_m(kNaN));
+  EXPECT_REFUSED(Percept, percept(), w.doorways()[1].y_m(kInf));
+  EXPECT_REFUSED(Percept, percept(), w.doorways()[1].jamb_x_m(kNaN));
+  EXPECT_REFUSED(Percept, percept(), w.doorways()[1].jamb_y_m(-1.1e6));
+  EXPECT_REFUSED(Percept, percept(), w.doorway_marked()[1] = 2);
+}
+
+TEST(Refusal, OfWhatARobotHearsNamesEachBadMember) {
+  EXPECT_REFUSED(Percept, percept(), w.heard_count(5));
+  EXPECT_REFUSED(Percept, percept(), w.heard()[1][0] = 31);
+  EXPECT_REFUSED(Percept, percept(), w.heard()[1][0] = 127);
+  EXPECT_REFUSED(Percept, percept(), w.heard()[1][2] = 0xC3);
+  EXPECT_REFUSED(Percept, percept(), w.heard()[1].fill('x'));
+  EXPECT_REFUSED(Percept, percept(), w.teleoperated(2));
+  EXPECT_REFUSED(Percept, percept(), w.joystick_x(1.1); w.joystick_y(0.0));
+  EXPECT_REFUSED(Percept, percept(), w.joystick_x(0.8); w.joystick_y(0.8));
+  EXPECT_REFUSED(Percept, percept(), w.joystick_y(kNaN));
+  EXPECT_REFUSED(Percept, percept(), w.proceed(2));
+  EXPECT_REFUSED(Percept, percept(), w.skip_goal(2));
+}
+
+TEST(Refusal, DoesNotLookBeyondTheEndOfAWord) {
+  wire::Percept wire = percept();
+  wire.heard()[0][5] = 7;
+  wire.heard()[2].fill(7);
+  Percept word;
+  EXPECT_FALSE(from_wire(wire, word));
+  EXPECT_EQ(word.heard[0], Word("one"));
+}
+
+TEST(Refusal, DoesNotLookAtAHallwayThatIsNotThere) {
+  wire::Percept wire = percept();
+  wire.in_hallway(0);
+  wire.hallway_x_m(kNaN);
+  Percept word;
+  EXPECT_FALSE(from_wire(wire, word));
 }
 
 TEST(Refusal, DoesNotLookBeyondTheCount) {
@@ -107,7 +161,10 @@ TEST(Refusal, OfACommandNamesEachBadMember) {
   EXPECT_REFUSED(Command, command(), w.velocity_x_mps(kNaN));
   EXPECT_REFUSED(Command, command(), w.velocity_y_mps(1e300));
   EXPECT_REFUSED(Command, command(), w.turn_radps(-kInf));
-  EXPECT_REFUSED(Command, command(), w.act(5));
+  EXPECT_REFUSED(Command, command(), w.act(12));
+  EXPECT_REFUSED(Command, command(), w.about(13));
+  EXPECT_REFUSED(Command, command(), w.word()[0] = '\n');
+  EXPECT_REFUSED(Command, command(), w.word().fill('x'));
 }
 
 TEST(Refusal, SaysWhatIsWrong) {
@@ -129,7 +186,9 @@ TEST(Refusal, OfAHelloNamesEachBadMember) {
 }
 
 TEST(Refusal, OfAControlNamesEachBadMember) {
-  EXPECT_REFUSED(Control, control(), w.kind(5));
+  EXPECT_REFUSED(Control, control(), w.kind(9));
+  EXPECT_REFUSED(Control, control(), w.joystick_x(kNaN));
+  EXPECT_REFUSED(Control, control(), w.joystick_x(0.8); w.joystick_y(-0.8));
   EXPECT_REFUSED(Control, control(), w.ticks(0));
   EXPECT_REFUSED(Control, control(), w.speed(-0.5));
   EXPECT_REFUSED(Control, control(), w.speed(kNaN));
@@ -161,6 +220,12 @@ TEST(Refusal, OfAViewNamesEachBadMember) {
   EXPECT_REFUSED(WorldView, view(), w.robots()[0].present(7));
   EXPECT_REFUSED(WorldView, view(), w.robots()[0].able(2));
   EXPECT_REFUSED(WorldView, view(), w.robots()[0].holding(2));
+  EXPECT_REFUSED(WorldView, view(), w.robots()[0].colour(12));
+  EXPECT_REFUSED(WorldView, view(), w.objects()[0].number(0));
+  EXPECT_REFUSED(WorldView, view(), w.objects()[0].x_m(kNaN));
+  EXPECT_REFUSED(WorldView, view(), w.objects()[0].radius_m(-1.0));
+  EXPECT_REFUSED(WorldView, view(), w.objects()[0].colour(12));
+  EXPECT_REFUSED(WorldView, view(), w.objects().resize(1025));
   EXPECT_REFUSED(WorldView, view(), w.mines()[0].mine(0));
   EXPECT_REFUSED(WorldView, view(), w.mines()[0].x_m(kNaN));
   EXPECT_REFUSED(WorldView, view(), w.mines().resize(1025));
@@ -187,7 +252,7 @@ TEST(Refusal, OfATelemetryNamesEachBadMember) {
 TEST(Refusal, OfAnEventNamesEachBadMember) {
   const EnemyCreated created{{1}, EnemyKind::Normal, {}};
   const EnemyIntercepted intercepted{{1}, EnemyKind::Normal, {1}, 0.0};
-  EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].kind(17); }), "");
+  EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].kind(30); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].number(0); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].detail(3); }), "");
   EXPECT_NE(flaw_of<EventBatch>(batch(created), [](auto& w) { w.events()[0].x_m(kNaN); }), "");
@@ -223,6 +288,32 @@ TEST(Refusal, OfAForageEventNamesEachBadMember) {
   EXPECT_TRUE(refused(RobotRevived{{1}, {2}}, [](auto& e) { e.other_robot(0); }));
   EXPECT_TRUE(refused(MissionOver{}, [](auto& e) { e.detail(3); }));
   EXPECT_TRUE(refused(MissionOver{}, [](auto& e) { e.score_ticks(std::uint64_t{1} << 63); }));
+}
+
+TEST(Refusal, OfAnOperationsEventNamesEachBadMember) {
+  const auto refused = [](const Happening& what, auto spoil) {
+    return flaw_of<EventBatch>(batch(what), [spoil](auto& w) { spoil(w.events()[0]); }) != "";
+  };
+  EXPECT_TRUE(refused(ObjectTaken{{1}, {1}}, [](auto& e) { e.number(0); }));
+  EXPECT_TRUE(refused(ObjectTaken{{1}, {1}}, [](auto& e) { e.robot(0); }));
+  EXPECT_TRUE(refused(ObjectDropped{{1}, {1}, {}}, [](auto& e) { e.x_m(kNaN); }));
+  EXPECT_TRUE(refused(ObjectStored{{1}, {1}, {2}}, [](auto& e) { e.other(0); }));
+  EXPECT_TRUE(refused(ObjectTested{{1}, {1}}, [](auto& e) { e.detail(0); }));
+  EXPECT_TRUE(refused(ObjectTested{{1}, {1}}, [](auto& e) { e.detail(3); }));
+  EXPECT_TRUE(refused(DoorwayMarked{{1}, 1, true}, [](auto& e) { e.number(0); }));
+  EXPECT_TRUE(refused(DoorwayMarked{{1}, 1, true}, [](auto& e) { e.detail(2); }));
+  EXPECT_TRUE(refused(SiteEntered{{1}, Site::Room, 1}, [](auto& e) { e.detail(3); }));
+  EXPECT_TRUE(refused(SiteEntered{{1}, Site::Room, 1}, [](auto& e) { e.number(0); }));
+  EXPECT_TRUE(refused(SiteEntered{{1}, Site::Open, 0}, [](auto& e) { e.number(1); }));
+  EXPECT_TRUE(refused(PointReached{{1}, 1}, [](auto& e) { e.number(0); }));
+  EXPECT_TRUE(refused(Signalled{{1}, {}, 0}, [](auto& e) { e.robot(0); }));
+  EXPECT_TRUE(refused(Signalled{{1}, {}, 0}, [](auto& e) { e.word("\t"); }));
+  EXPECT_TRUE(refused(Alerted{{1}, {}}, [](auto& e) { e.word(std::string(64, 'x')); }));
+  EXPECT_TRUE(refused(RobotExposed{{1}, {2}, true}, [](auto& e) { e.other_robot(0); }));
+  EXPECT_TRUE(refused(RobotExposed{{1}, {2}, true}, [](auto& e) { e.detail(2); }));
+  EXPECT_TRUE(refused(RobotFinished{{1}}, [](auto& e) { e.robot(0); }));
+  EXPECT_TRUE(refused(OperatorActed{{1}}, [](auto& e) { e.detail(4); }));
+  EXPECT_TRUE(refused(OperatorActed{{1}}, [](auto& e) { e.joystick_y(1.1); }));
 }
 
 }  // namespace

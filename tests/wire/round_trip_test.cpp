@@ -79,6 +79,66 @@ TEST(RoundTrip, KeepsTheMembersOfAPercept) {
   EXPECT_EQ(got.obstacles.size(), sent.obstacles.size());
 }
 
+/// A percept of a robot in an operation, with something in each of its members.
+Percept on_a_map() {
+  Percept p = test::Words(12).percept();
+  p.held = Colour::SeaGreen;
+  p.deeds = {};
+  p.deeds.marked = true;
+  p.deeds.tested = Finding::Dangerous;
+  p.site = Site::Hallway;
+  p.hallway = {{1.0, 2.0}, {0.6, 0.8}, 3.0, 4.0, 5.0};
+  p.doorways = {{{6.0, 7.0}, {0.0, 0.5}, true}, {{8.0, 9.0}, {0.4, 0.0}, false}};
+  p.heard = {Word("Cover me."), Word()};
+  p.operated = {true, {0.3, -0.4}, false, true};
+  return p;
+}
+
+TEST(RoundTrip, KeepsWhatARobotKnowsInAnOperation) {
+  const Percept sent = on_a_map();
+  wire::Percept wire;
+  to_wire(sent, wire);
+  Percept got = test::Words(13).percept();
+  ASSERT_FALSE(from_wire(wire, got));
+  EXPECT_EQ(got.held, sent.held);
+  EXPECT_EQ(got.deeds, sent.deeds);
+  EXPECT_EQ(got.site, sent.site);
+  EXPECT_EQ(got.heard, sent.heard);
+  EXPECT_TRUE(got.operated.teleoperated);
+  EXPECT_EQ(got.operated.joystick, sent.operated.joystick);
+  EXPECT_FALSE(got.operated.proceed);
+  EXPECT_TRUE(got.operated.skip_goal);
+}
+
+TEST(RoundTrip, KeepsTheDoorwaysAndTheHallwayOfAPercept) {
+  const Percept sent = on_a_map();
+  wire::Percept wire;
+  to_wire(sent, wire);
+  Percept got;
+  ASSERT_FALSE(from_wire(wire, got));
+  ASSERT_TRUE(got.hallway);
+  EXPECT_EQ(got.hallway->offset_m, sent.hallway->offset_m);
+  EXPECT_EQ(got.hallway->along, sent.hallway->along);
+  EXPECT_EQ(got.hallway->ahead_m, 3.0);
+  EXPECT_EQ(got.hallway->behind_m, 4.0);
+  EXPECT_EQ(got.hallway->width_m, 5.0);
+  ASSERT_EQ(got.doorways.size(), 2U);
+  EXPECT_EQ(got.doorways[0].jamb_m, sent.doorways[0].jamb_m);
+  EXPECT_TRUE(got.doorways[0].marked);
+  EXPECT_EQ(got.doorways[1].offset_m, sent.doorways[1].offset_m);
+}
+
+TEST(RoundTrip, ForgetsTheHallwayOfThePerceptBefore) {
+  Percept outside = on_a_map();
+  outside.hallway.reset();
+  wire::Percept wire;
+  to_wire(on_a_map(), wire);
+  to_wire(outside, wire);
+  Percept got = on_a_map();
+  ASSERT_FALSE(from_wire(wire, got));
+  EXPECT_FALSE(got.hallway);
+}
+
 TEST(RoundTrip, KeepsEveryBitOfACommand) {
   test::Words words(3);
   for (int i = 0; i < kDraws; ++i) {
@@ -96,6 +156,23 @@ TEST(RoundTrip, KeepsTheMembersOfACommand) {
   EXPECT_EQ(got.tick, sent.tick);
   EXPECT_EQ(got.velocity_mps, sent.velocity_mps);
   EXPECT_EQ(got.turn_radps, sent.turn_radps);
+}
+
+TEST(RoundTrip, KeepsWhatACommandIsAbout) {
+  Command sent{{1}, 2, {}, 0.0, Act::Signal, Colour::Grey, Word("Follow me.")};
+  wire::Command wire;
+  to_wire(sent, wire);
+  Command got;
+  ASSERT_FALSE(from_wire(wire, got));
+  EXPECT_EQ(got.act, Act::Signal);
+  EXPECT_EQ(got.about, Colour::Grey);
+  EXPECT_EQ(got.word, sent.word);
+  sent.about.reset();
+  sent.word = {};
+  to_wire(sent, wire);
+  ASSERT_FALSE(from_wire(wire, got));
+  EXPECT_FALSE(got.about);
+  EXPECT_TRUE(got.word.empty());
 }
 
 TEST(RoundTrip, KeepsEveryBitOfAnOrder) {

@@ -36,6 +36,13 @@ class Words {
     return static_cast<std::size_t>(chance_.below(limit + 1));
   }
   std::string text(std::size_t limit);
+  Word word();
+  ObjectId object() { return {enemy().value}; }
+  /// At most 1 long.
+  template <class Vec>
+  Vec joystick() {
+    return clipped(vec<Vec>(1.0), 1.0);
+  }
 
   Percept percept();
   Command command();
@@ -49,6 +56,9 @@ class Words {
 
  private:
   Happening happening();
+  Happening operation();
+  SiteEntered site_entered();
+  void look_at_a_map(Percept& p);
 
   Stream chance_;
 };
@@ -57,6 +67,12 @@ inline std::string Words::text(std::size_t limit) {
   std::string out(count(limit), ' ');
   for (char& c : out) c = static_cast<char>('a' + chance_.below(26));
   return out;
+}
+
+inline Word Words::word() {
+  std::string out(count(Word::kMaxLength), ' ');
+  for (char& c : out) c = static_cast<char>(' ' + chance_.below('~' - ' ' + 1));
+  return Word(out);
 }
 
 inline Percept Words::percept() {
@@ -68,18 +84,38 @@ inline Percept Words::percept() {
   p.touching = flag();
   p.able = flag();
   p.holding = flag();
-  p.deeds = {flag(), flag(), flag(), flag(), flag()};
+  p.held = code(Colour::Grey);
+  p.deeds = {
+      flag(), flag(), flag(), flag(), flag(), flag(), flag(), flag(), code(Finding::Dangerous)};
   p.sightings.resize(count(Percept::kMaxSightings));
   for (Sighting& s : p.sightings) {
-    s = {code(Kind::Base), code(Colour::Purple), vec<BodyVec>(100.0), positive(2.0)};
+    s = {code(Kind::Object), code(Colour::Grey), vec<BodyVec>(100.0), positive(2.0)};
   }
   p.obstacles.resize(count(Percept::kMaxObstacles));
   for (SeenObstacle& o : p.obstacles) o = {vec<BodyVec>(100.0), positive(5.0)};
+  look_at_a_map(p);
+  p.heard.resize(count(Percept::kMaxHeard));
+  for (Word& heard : p.heard) heard = word();
+  p.operated = {flag(), joystick<BodyVec>(), flag(), flag()};
   return p;
 }
 
+inline void Words::look_at_a_map(Percept& p) {
+  p.site = code(Site::Hallway);
+  p.doorways.resize(count(Percept::kMaxDoorways));
+  for (SeenDoorway& d : p.doorways) d = {vec<BodyVec>(20.0), vec<BodyVec>(1.0), flag()};
+  if (flag()) {
+    const Heading along = heading();
+    p.hallway = {
+        vec<BodyVec>(2.0), {along.cos, along.sin}, positive(40.0), positive(40.0), positive(3.0)};
+  }
+}
+
 inline Command Words::command() {
-  return {robot(), tick(), vec<BodyVec>(10.0), positive(3.0) - 1.5, code(Act::Aid)};
+  Command c{robot(), tick(), vec<BodyVec>(10.0), positive(3.0) - 1.5, code(Act::FinishAll)};
+  if (flag()) c.about = code(Colour::Grey);
+  c.word = word();
+  return c;
 }
 
 inline Order Words::order() { return {robot(), bits(), code(OrderKind::Finish), text(1023)}; }
@@ -98,8 +134,11 @@ inline Hello Words::hello() {
 }
 
 inline Control Words::control() {
-  return {code(ControlKind::Stop), static_cast<std::uint32_t>(1 + chance_.below(1000)),
-          positive(100.0)};
+  return {code(ControlKind::SkipGoal),
+          static_cast<std::uint32_t>(1 + chance_.below(1000)),
+          positive(100.0),
+          {static_cast<std::uint16_t>(chance_.below(65536))},
+          joystick<WorldVec>()};
 }
 
 inline RunStatus Words::status() {
@@ -152,8 +191,46 @@ inline Happening Words::happening() {
       return ForageBegun{enemy().value};
     case 14:
       return MissionOver{code(Verdict::OutOfTime), tick()};
-    default:
+    case 16:
       return RunEnded{bits()};
+    default:
+      return operation();
+  }
+}
+
+inline SiteEntered Words::site_entered() {
+  const Site site = code(Site::Hallway);
+  return {robot(), site, site == Site::Open ? 0 : enemy().value};
+}
+
+inline Happening Words::operation() {
+  switch (chance_.below(13)) {
+    case 0:
+      return OperationBegun{enemy().value, enemy().value};
+    case 1:
+      return ObjectTaken{robot(), object()};
+    case 2:
+      return ObjectDropped{robot(), object(), vec<WorldVec>(500.0)};
+    case 3:
+      return ObjectStored{robot(), object(), object()};
+    case 4:
+      return ObjectTested{robot(), object(), flag() ? Finding::Harmless : Finding::Dangerous};
+    case 5:
+      return DoorwayMarked{robot(), enemy().value, flag()};
+    case 6:
+      return site_entered();
+    case 7:
+      return PointReached{robot(), enemy().value};
+    case 8:
+      return Signalled{robot(), word(), enemy().value};
+    case 9:
+      return Alerted{robot(), word()};
+    case 10:
+      return RobotExposed{robot(), robot(), flag()};
+    case 11:
+      return RobotFinished{robot()};
+    default:
+      return OperatorActed{robot(), code(OperatorAct::SkipGoal), joystick<WorldVec>()};
   }
 }
 
@@ -171,12 +248,22 @@ inline WorldView Words::view() {
   v.time_s = positive(1e5);
   v.robots.resize(count(100));
   for (ViewedRobot& r : v.robots) {
-    r = {robot(), {vec<WorldVec>(1e3), heading()}, vec<WorldVec>(5.0), flag(), flag(), flag()};
+    r = {robot(),
+         {vec<WorldVec>(1e3), heading()},
+         vec<WorldVec>(5.0),
+         flag(),
+         flag(),
+         flag(),
+         code(Colour::Grey)};
   }
   v.enemies.resize(count(100));
   for (ViewedEnemy& e : v.enemies) e = {enemy(), code(EnemyKind::Hunter), vec<WorldVec>(1e3)};
   v.mines.resize(count(100));
   for (ViewedMine& m : v.mines) m = {mine(), vec<WorldVec>(1e3)};
+  v.objects.resize(count(100));
+  for (ViewedObject& o : v.objects) {
+    o = {object(), vec<WorldVec>(1e3), positive(3.0), code(Colour::Grey)};
+  }
   return v;
 }
 
