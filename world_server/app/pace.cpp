@@ -30,6 +30,11 @@ void Pace::hear(const Control& control) {
     case ControlKind::Stop:
       stopped_ = true;
       return;
+    case ControlKind::Steer:
+    case ControlKind::LetGo:
+    case ControlKind::Proceed:
+    case ControlKind::SkipGoal:
+      return;
   }
 }
 

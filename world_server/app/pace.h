@@ -17,6 +17,7 @@ class Pace {
   /// `speed` times real time, 0 for as fast as it goes; a tick is `tick_s` > 0 of simulated time.
   Pace(double speed, double tick_s) : speed_(speed), tick_s_(tick_s) {}
 
+  /// An operator's word to a robot is not for the pace.
   void hear(const Control& control);
   /// None while paused with no step left; not after `now` when it is time.
   [[nodiscard]] std::optional<Time> next_tick_at(Time now) const;

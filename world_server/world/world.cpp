@@ -22,6 +22,8 @@ std::unique_ptr<Mission> make_mission(Stage& stage) {
       return std::make_unique<Guard>(stage);
     case MissionKind::Forage:
       return std::make_unique<Forage>(stage);
+    case MissionKind::Operation:
+      break;
   }
   std::abort();
 }
