@@ -20,6 +20,7 @@ struct SchemaShare {
 /// What went on in a brain at one tick, for people and recordings; no robot reads it.
 struct Telemetry {
   static constexpr std::size_t kMaxShares = 16;
+  static constexpr std::size_t kMaxName = 31;  ///< Letters in each of the names.
 
   RobotId robot;
   Tick tick = 0;

@@ -2,6 +2,7 @@
 
 #include "robot_agent/brain/forage_mind.h"
 #include "robot_agent/brain/guard_mind.h"
+#include "robot_agent/brain/operation_mind.h"
 
 namespace tacit {
 namespace {
@@ -13,6 +14,8 @@ std::unique_ptr<Mind> make_mind(const BrainConfig& config, const Self& self) {
       return std::make_unique<GuardMind>(config, self);
     case MissionKind::Forage:
       return std::make_unique<ForageMind>(config, self);
+    case MissionKind::Operation:
+      return std::make_unique<OperationMind>(config, self);
   }
   return nullptr;
 }

@@ -4,6 +4,7 @@
 
 #include "idl/types/config_error.h"
 #include "robot_agent/brain/forage_config.h"
+#include "robot_agent/brain/operation_config.h"
 #include "robot_agent/brain/shortest.h"
 
 namespace tacit {
@@ -141,6 +142,8 @@ BrainConfig brain_defaults(MissionKind mission) {
       return {};
     case MissionKind::Forage:
       return forage_defaults();
+    case MissionKind::Operation:
+      return operation_defaults();
   }
   return {};
 }
@@ -151,6 +154,8 @@ void describe(BrainConfig& config, ParameterVisitor& visitor) {
       return describe_guard(config, visitor);
     case MissionKind::Forage:
       return describe_forage(config, visitor);
+    case MissionKind::Operation:
+      return describe_operation(config, visitor);
   }
 }
 
@@ -163,6 +168,8 @@ void check(const BrainConfig& config) {
       return check_guard(config);
     case MissionKind::Forage:
       return check_forage(config);
+    case MissionKind::Operation:
+      return check_operation(config);
   }
 }
 

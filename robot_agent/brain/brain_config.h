@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "idl/types/mission_kind.h"
+#include "idl/types/operation_script.h"
 #include "idl/types/parameters.h"
 #include "robot_agent/brain/assemblage/actuator.h"
 #include "robot_agent/brain/learning/heterogeneous.h"
@@ -25,6 +26,9 @@ inline constexpr std::array<std::string_view, 4> kGuardLearners{"static1", "stat
 /// What can choose the role of a forager team's robot.
 inline constexpr std::array<std::string_view, 3> kForageLearners{"q", "homogeneous",
                                                                  "heterogeneous"};
+
+/// What decides in an operation.
+inline constexpr std::array<std::string_view, 1> kOperationLearners{"mission"};
 
 [[nodiscard]] Gains static1_gains();
 [[nodiscard]] Gains static2_gains();
@@ -55,6 +59,9 @@ struct BrainConfig {
   QuarryTrack::Config pursuit{.average_ticks = 5, .gate_m = 0.75};
   Heterogeneous::Config heterogeneous;
   QRoles::Config q;
+
+  // An operation's; described by itself, for the world reads it too.
+  OperationScript script;
 
   /// The parameters of schema `S`.
   template <class S>

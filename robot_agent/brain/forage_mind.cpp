@@ -51,7 +51,7 @@ Doing ForageMind::act(const Surroundings& around) {
   const bool goes_on = role_ == role && !disabled_;
   role_ = role;
   if (goes_on) return automaton(role).step(around);
-  automaton(role).enter(around.tick);
+  automaton(role).enter({around.tick, around.odometry});
   return {};
 }
 

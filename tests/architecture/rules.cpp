@@ -98,7 +98,7 @@ const LinkGraph& table() {
       {"topics", {"types"}},
       {"wire", {"fastrtps", "fastcdr"}},
       {"bus", {"types", "topics", "wire", "Threads::Threads", "spdlog::spdlog"}},
-      {"brain", {"types", "nlohmann_json::nlohmann_json"}},
+      {"brain", {"types", "cdl", "nlohmann_json::nlohmann_json"}},
       {"world", {"types", "PkgConfig::BULLET"}},
       {"world_map", {"scenario", "overlay", "world"}},
       {"metrics", {"types"}},

@@ -11,8 +11,11 @@ BodyVec Actuator::velocity_mps(const BodyVec& sum) const {
 double Actuator::turn_radps(const BodyVec& velocity_mps) const {
   const double least_mps = config_.turn_from_mps;
   if (velocity_mps.squared_norm() < least_mps * least_mps) return 0.0;
-  const double bearing_rad = arc_tangent(velocity_mps.y(), velocity_mps.x());
-  return std::clamp(config_.turn_gain_per_s * bearing_rad, -config_.max_turn_radps,
+  return turn_by_radps(arc_tangent(velocity_mps.y(), velocity_mps.x()));
+}
+
+double Actuator::turn_by_radps(double angle_rad) const {
+  return std::clamp(config_.turn_gain_per_s * angle_rad, -config_.max_turn_radps,
                     config_.max_turn_radps);
 }
 

@@ -20,6 +20,8 @@ class Actuator {
 
   [[nodiscard]] BodyVec velocity_mps(const BodyVec& sum) const;
   [[nodiscard]] double turn_radps(const BodyVec& velocity_mps) const;
+  /// To turn by `angle_rad` on the spot.
+  [[nodiscard]] double turn_by_radps(double angle_rad) const;
 
  private:
   Config config_;

@@ -1,11 +1,23 @@
 #include "robot_agent/brain/fsa/activity.h"
 
 #include "idl/types/config_error.h"
+#include "idl/types/repulsion.h"
 
 namespace tacit {
+namespace {
+
+/// How far a robot that faces `now` is from having turned once about-face since `start`, by the
+/// shorter way; counter-clockwise where both are as short.
+double rest_of_about_face(const Heading& start, const Heading& now) {
+  const double cos = -(start.cos * now.cos + start.sin * now.sin);
+  const double sin = start.cos * now.sin - start.sin * now.cos;
+  return arc_tangent(sin, cos);
+}
+
+}  // namespace
 
 Activity::Activity(const ActivityPlan& plan, const SchemaConfigs& configs, const Self& self)
-    : act_(plan.act) {
+    : deed_(plan.deed), turn_(plan.turn), exit_(plan.exit) {
   for (const SchemaUse& use : plan.schemas) {
     std::unique_ptr<Schema> schema = make_schema(use, configs, self);
     if (use.gain == 0.0) continue;
@@ -17,13 +29,38 @@ Activity::Activity(const ActivityPlan& plan, const SchemaConfigs& configs, const
   }
 }
 
+void Activity::enter(const Entry& entry) {
+  entry_ = entry;
+  for (Member& member : members_) {
+    member.push = {};
+    member.schema->enter();
+  }
+}
+
 Doing Activity::step(const Surroundings& around) {
-  Doing doing{{}, act_};
+  Doing doing;
+  constexpr double kInside2 = kInfiniteRepulsion * kInfiniteRepulsion;
   for (Member& member : members_) {
     member.push = member.schema->push(around);
+    doing.hemmed_in = doing.hemmed_in || member.push.squared_norm() >= kInside2;
     doing.sum += member.gain * member.push;
   }
+  if (acts(around.tick)) {
+    doing.act = deed_.act;
+    doing.about = deed_.about;
+    doing.word = deed_.word;
+  }
+  if (turn_ == Turn::AboutFace) {
+    doing.turn_rad = rest_of_about_face(entry_.pose.heading, around.odometry.heading);
+  } else if (turn_ == Turn::Scan) {
+    doing.turn_rad = 0.5 * kPi;
+  }
   return doing;
+}
+
+bool Activity::acts(Tick now) const {
+  const Tick first = entry_.tick + 1 + deed_.after_ticks;
+  return deed_.once ? now == first : now >= first;
 }
 
 void Activity::report(std::vector<SchemaShare>& shares) const {
@@ -35,8 +72,11 @@ void Activity::report(std::vector<SchemaShare>& shares) const {
   }
 }
 
-void Activity::rest() {
-  for (Member& member : members_) member.push = {};
+bool Activity::resume(RecordReader& record) {
+  const Entry entry = record.entry();
+  if (!record.sound()) return false;
+  enter(entry);
+  return true;
 }
 
 }  // namespace tacit

@@ -4,30 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "idl/types/telemetry.h"
+#include "robot_agent/brain/fsa/automaton_plan.h"
+#include "robot_agent/brain/fsa/behaviour.h"
 #include "robot_agent/brain/fsa/schema_use.h"
 
 namespace tacit {
 
-/// What comes out of a tick: a weighted sum of pushes, body frame, and an act. Empty by default.
-struct Doing {
-  BodyVec sum;
-  Act act = Act::None;
-};
-
 /// A behavioural assemblage with fixed gains, and an act that goes with it.
-class Activity {
+class Activity final : public Behaviour {
  public:
   /// Leaves out schemas with gain 0. Throws ConfigError as `make_schema` does, and when there are
   /// more schemas than telemetry can show.
   Activity(const ActivityPlan& plan, const SchemaConfigs& configs, const Self& self);
 
-  /// Call at most once per tick, ticks ascending.
-  [[nodiscard]] Doing step(const Surroundings& around);
-
-  /// The shares in the last step; none pushes when there was no step since `rest`.
-  void report(std::vector<SchemaShare>& shares) const;
-  void rest();
+  void enter(const Entry& entry) override;
+  [[nodiscard]] Doing step(const Surroundings& around) override;
+  void report(std::vector<SchemaShare>& shares) const override;
+  [[nodiscard]] std::span<const Word> exit() const override { return exit_; }
+  void note(Record& record) const override { record.add(entry_); }
+  [[nodiscard]] bool resume(RecordReader& record) override;
 
  private:
   struct Member {
@@ -36,8 +31,13 @@ class Activity {
     std::unique_ptr<Schema> schema;
     BodyVec push;  ///< In the last step.
   };
+  [[nodiscard]] bool acts(Tick now) const;
+
   std::vector<Member> members_;
-  Act act_;
+  Deed deed_;
+  Turn turn_;
+  std::vector<Word> exit_;
+  Entry entry_;
 };
 
 }  // namespace tacit

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "idl/types/config_error.h"
+#include "robot_agent/brain/fsa/make_behaviour.h"
 
 namespace tacit {
 namespace {
@@ -49,10 +50,10 @@ void check_reachable(const AutomatonPlan& plan) {
   refuse(plan, "state " + plan.states[index].name + " cannot be reached");
 }
 
-Activity make_activity(const AutomatonPlan& plan, const StatePlan& state,
-                       const SchemaConfigs& configs, const Self& self) {
+std::unique_ptr<Behaviour> make_state(const AutomatonPlan& plan, const StatePlan& state,
+                                      const SchemaConfigs& configs, const Self& self) {
   try {
-    return {state.activity, configs, self};
+    return make_behaviour(state, configs, self);
   } catch (const ConfigError& error) {
     refuse(plan, "state " + state.name + ": " + error.what());
   }
@@ -64,37 +65,68 @@ Automaton::Automaton(const AutomatonPlan& plan, const SchemaConfigs& configs, co
   check_names(plan);
   check_reachable(plan);
   for (const StatePlan& state : plan.states) {
-    states_.push_back({state.name, make_activity(plan, state, configs, self), {}});
+    states_.push_back({state.name, make_state(plan, state, configs, self), {}});
     for (const Rule& rule : state.rules) {
       states_.back().arcs.push_back({rule.trigger, place(plan, rule.next)});
     }
   }
 }
 
-void Automaton::enter(Tick now) { go(0, now); }
-
 Doing Automaton::step(const Surroundings& around) {
   State& now = states_[current_];
   for (const Arc& arc : now.arcs) {
-    if (!holds(arc.trigger, around)) continue;
-    go(arc.next, around.tick);
+    if (!holds(arc.trigger, around, now.behaviour->exit())) continue;
+    go(arc.next, {around.tick, around.odometry});
     return {};
   }
-  return now.activity.step(around);
+  return now.behaviour->step(around);
 }
+
+void Automaton::report(std::vector<SchemaShare>& shares) const {
+  states_[current_].behaviour->report(shares);
+}
+
+void Automaton::name_states(std::string& path) const {
+  path.append("/").append(state());
+  states_[current_].behaviour->name_states(path);
+}
+
+std::span<const Word> Automaton::exit() const { return states_[current_].behaviour->exit(); }
 
 bool Automaton::has(std::string_view state) const { return find(state) < states_.size(); }
 
-void Automaton::resume(std::string_view state, Tick entered) {
+void Automaton::resume(std::string_view state, const Entry& entered) {
   assert(has(state));
   go(find(state), entered);
 }
 
-void Automaton::go(std::size_t state, Tick now) {
+// What other states have learned is kept too, so each notes its own.
+void Automaton::note(Record& record) const {
+  record.add_count(current_);
+  record.add(entered_);
+  for (const State& state : states_) state.behaviour->note(record);
+}
+
+bool Automaton::resume(RecordReader& record) {
+  const std::size_t current = record.count(states_.size());
+  const Entry entered = record.entry();
+  if (!record.sound()) return false;
+  go(current, entered);
+  return std::all_of(states_.begin(), states_.end(),
+                     [&record](const State& state) { return state.behaviour->resume(record); });
+}
+
+std::uint64_t Automaton::lessons() const {
+  std::uint64_t all = 0;
+  for (const State& state : states_) all += state.behaviour->lessons();
+  return all;
+}
+
+void Automaton::go(std::size_t state, const Entry& entry) {
   current_ = state;
-  entered_ = now;
-  states_[state].activity.rest();
-  for (Arc& arc : states_[state].arcs) notify_entered(arc.trigger, now);
+  entered_ = entry;
+  states_[state].behaviour->enter(entry);
+  for (Arc& arc : states_[state].arcs) notify_entered(arc.trigger, entry);
 }
 
 std::size_t Automaton::find(std::string_view state) const {

@@ -171,7 +171,9 @@ RunStand stand_in(const Json& json) {
   stand.learner = json.at("learner").get<std::string>();
   stand.role = json.at("role").get<std::string>();
   stand.state = json.at("state").get<std::string>();
-  stand.entered = json.at("entered").get<Tick>();
+  const Json& at = json.at("entered_at");
+  stand.entered = {json.at("entered").get<Tick>(),
+                   {place(at, 0), {at.at(2).get<double>(), at.at(3).get<double>()}}};
   stand.disabled = json.at("disabled").get<bool>();
   if (json.contains("last")) {
     const Json& last = json["last"];

@@ -25,7 +25,10 @@ std::string fixes(const QuarryTrack::Record& track) {
 std::string to_line(const RunStand& stand) {
   std::string line = R"({"format":"tacit-memory","version":1,"learner":")" + stand.learner +
                      R"(","role":")" + stand.role + R"(","state":")" + stand.state +
-                     R"(","entered":)" + whole(stand.entered) + R"(,"disabled":)" +
+                     R"(","entered":)" + whole(stand.entered.tick) + R"(,"entered_at":[)" +
+                     pair(stand.entered.pose.position_m) + "," +
+                     json_number(stand.entered.pose.heading.cos) + "," +
+                     json_number(stand.entered.pose.heading.sin) + R"(],"disabled":)" +
                      (stand.disabled ? "true" : "false");
   if (stand.last) {
     line += R"(,"last":{"state":)" + whole(stand.last->state) + R"(,"action":)" +

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "robot_agent/brain/fsa/entry.h"
 #include "robot_agent/brain/learning/q_learner.h"
 #include "robot_agent/brain/perception/forage_perception.h"
 
@@ -14,7 +15,7 @@ struct RunStand {
   std::string learner;
   std::string role;                      ///< Empty before the first decision.
   std::string state;                     ///< Of the role's automaton.
-  Tick entered = 0;                      ///< When that state was.
+  Entry entered;                         ///< When and where that state was.
   bool disabled = false;                 ///< In the last tick.
   std::optional<QLearner::Choice> last;  ///< Of a Q-learner, as are the next three.
   Tick last_tick = 0;                    ///< When that was chosen.

@@ -3,13 +3,6 @@
 namespace tacit {
 namespace {
 
-// Equal ranges are told apart by position, so that the order of the sightings does not matter.
-bool nearer(const Nearest& a, const Nearest& b) {
-  if (a.squared_range_m2 != b.squared_range_m2) return a.squared_range_m2 < b.squared_range_m2;
-  if (a.offset_m.x() != b.offset_m.x()) return a.offset_m.x() < b.offset_m.x();
-  return a.offset_m.y() < b.offset_m.y();
-}
-
 std::optional<Thing> thing_in(const Sighting& sighting) {
   switch (sighting.kind) {
     case Kind::Mine:
@@ -22,6 +15,7 @@ std::optional<Thing> thing_in(const Sighting& sighting) {
       if (sighting.colour == Colour::Yellow) return Thing::Disabled;
       return std::nullopt;
     case Kind::Target:
+    case Kind::Object:
       return std::nullopt;
   }
   return std::nullopt;
@@ -56,7 +50,8 @@ void ForagePerception::sort(const Percept& percept) {
   around_.nearest = {};
   around_.teammates.clear();
   for (const Sighting& sighting : percept.sightings) {
-    const Nearest seen{sighting.offset_m, sighting.offset_m.squared_norm()};
+    const Nearest seen{sighting.offset_m, sighting.offset_m.squared_norm(),
+                       sighting.radius_m};
     if (const auto thing = thing_in(sighting)) {
       Nearest& best = around_.nearest[static_cast<std::size_t>(*thing)];
       if (nearer(seen, best)) best = seen;

@@ -43,6 +43,7 @@ void Perception::sort(const Percept& percept) {
         break;
       case Kind::Mine:
       case Kind::Base:
+      case Kind::Object:
         break;
     }
   }

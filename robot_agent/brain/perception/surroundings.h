@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "idl/types/percept.h"
+#include "robot_agent/brain/perception/premises.h"
 #include "robot_agent/brain/perception/quarry_track.h"
 #include "robot_agent/brain/perception/thing.h"
 
@@ -31,17 +32,31 @@ struct EnemyGroup {
 struct Nearest {
   BodyVec offset_m;
   double squared_range_m2 = std::numeric_limits<double>::infinity();
+  double radius_m = 0.0;
 
   [[nodiscard]] bool known() const {
     return squared_range_m2 < std::numeric_limits<double>::infinity();
   }
+  /// Centre to centre.
   [[nodiscard]] bool within(double range_m) const { return squared_range_m2 <= range_m * range_m; }
+  /// From the robot's centre to the thing's surface.
+  [[nodiscard]] bool surface_within(double range_m) const {
+    return known() && within(range_m + radius_m);
+  }
 };
+
+/// Whether `a` is nearer than `b`. Equal ranges are told apart by position, so that the order of
+/// the sightings does not matter.
+[[nodiscard]] inline bool nearer(const Nearest& a, const Nearest& b) {
+  if (a.squared_range_m2 != b.squared_range_m2) return a.squared_range_m2 < b.squared_range_m2;
+  if (a.offset_m.x() != b.offset_m.x()) return a.offset_m.x() < b.offset_m.x();
+  return a.offset_m.y() < b.offset_m.y();
+}
 
 /// A percept made ready for thinking: sorted by kind, measured, and completed by memory.
 ///
-/// Valid until the next percept; the order of the lists carries no meaning. A guard's and a
-/// forager's perception each fill their part and leave the rest empty.
+/// Valid until the next percept; the order of the lists carries no meaning. A guard's, a forager's
+/// and an operation's perception each fill their part and leave the rest empty.
 struct Surroundings {
   Tick tick = 0;
   OdometryPose odometry;
@@ -63,8 +78,19 @@ struct Surroundings {
   std::array<Nearest, kThings> nearest;
   std::optional<QuarryTrack::Motion> quarry;  ///< Of the nearest enemy, while there is a track.
 
+  // An operation's, beside the forager's.
+  Premises premises;
+
   [[nodiscard]] const Nearest& nearest_of(Thing thing) const {
     return nearest[static_cast<std::size_t>(thing)];
+  }
+  [[nodiscard]] const Nearest& nearest_of(ThingSet things) const {
+    static const Nearest kNone{};
+    const Nearest* best = &kNone;
+    things.for_each([&](std::size_t index) {
+      if (nearer(nearest[index], *best)) best = &nearest[index];
+    });
+    return *best;
   }
 };
 

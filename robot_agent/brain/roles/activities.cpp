@@ -9,14 +9,14 @@
 namespace tacit {
 namespace {
 
-SchemaUse use(std::string_view schema, double gain, std::optional<Thing> thing = std::nullopt) {
-  return {std::string(schema), gain, thing};
+SchemaUse use(std::string_view schema, double gain, ThingSet things = {}) {
+  return {std::string(schema), gain, things, {}};
 }
 
 ActivityPlan moving(std::vector<SchemaUse> schemas, const RolesConfig& config, Act act) {
   schemas.push_back(use(AvoidObstacles::kName, config.avoid_obstacles_gain));
   schemas.push_back(use(AvoidSoldiers::kName, config.avoid_teammates_gain));
-  return {std::move(schemas), act};
+  return {std::move(schemas), {.act = act}, Turn::None, {}};
 }
 
 }  // namespace
@@ -35,6 +35,8 @@ ActivityPlan pursue(const RolesConfig& config) {
   return moving({use(PursueEnemy::kName, config.pursuit_gain)}, config, Act::Intercept);
 }
 
-ActivityPlan stand(Act act) { return {{}, act}; }
+ActivityPlan stand(Act act) {
+  return {{}, {.act = act}, Turn::None, {}};
+}
 
 }  // namespace tacit

@@ -19,6 +19,9 @@ class Schema {
  public:
   virtual ~Schema() = default;
 
+  /// Its state has been entered anew: whatever it remembers begins with the next push.
+  virtual void enter() {}
+
   /// The push before weighting, body frame, of the order of 1. A schema may remember: call once
   /// per tick, ticks ascending.
   [[nodiscard]] virtual BodyVec push(const Surroundings& around) = 0;

@@ -1,28 +1,32 @@
 #pragma once
 
+#include <limits>
 #include <string_view>
 
 #include "robot_agent/brain/perception/surroundings.h"
 
 namespace tacit {
 
-/// Fires while a thing of a class is known.
+/// Fires while a thing of some classes is known, no farther than `range_m`.
 struct Detect {
   static constexpr std::string_view kName = "Detect";
-  Thing thing = Thing::Mine;
+  ThingSet things = Thing::Mine;
+  double range_m = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool holds(const Surroundings& around) const {
-    return around.nearest_of(thing).known();
+    const Nearest& nearest = around.nearest_of(things);
+    return nearest.known() && nearest.within(range_m);
   }
 };
 
 /// Fires while none is.
 struct NotDetected {
   static constexpr std::string_view kName = "NotDetected";
-  Thing thing = Thing::Mine;
+  ThingSet things = Thing::Mine;
+  double range_m = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool holds(const Surroundings& around) const {
-    return !around.nearest_of(thing).known();
+    return !Detect{things, range_m}.holds(around);
   }
 };
 

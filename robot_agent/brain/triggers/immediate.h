@@ -13,4 +13,11 @@ struct Immediate {
   [[nodiscard]] bool holds(const Surroundings& /*around*/) const { return true; }
 };
 
+/// Never fires.
+struct Never {
+  static constexpr std::string_view kName = "Never";
+
+  [[nodiscard]] bool holds(const Surroundings& /*around*/) const { return false; }
+};
+
 }  // namespace tacit

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "robot_agent/brain/fsa/entry.h"
 #include "robot_agent/brain/perception/surroundings.h"
 
 namespace tacit {
@@ -12,7 +13,7 @@ struct Wait {
   Tick ticks = 0;
   Tick since = 0;  ///< When the state was entered.
 
-  void entered(Tick now) { since = now; }
+  void entered(const Entry& entry) { since = entry.tick; }
   [[nodiscard]] bool holds(const Surroundings& around) const {
     return around.tick >= since + ticks;
   }
