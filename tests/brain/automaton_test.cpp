@@ -13,14 +13,14 @@ using testing::enemy;
 using testing::ForageEyes;
 using testing::mine;
 
-const ActivityPlan kToMine{{{"MoveTo", 2.0, Thing::Mine}}, Act::PickUp};
-const ActivityPlan kToBase{{{"MoveTo", 1.0, Thing::Base}}, Act::Drop};
+const ActivityPlan kToMine{{{"MoveTo", 2.0, Thing::Mine}}, {.act = Act::PickUp}};
+const ActivityPlan kToBase{{{"MoveTo", 1.0, Thing::Base}}, {.act = Act::Drop}};
 
 /// An automaton that is shown one scene after the other.
 class Shown {
  public:
   explicit Shown(const AutomatonPlan& plan) : automaton_(plan, SchemaConfigs{}, Self{}) {
-    automaton_.enter(eyes_.next_tick());
+    automaton_.enter({eyes_.next_tick(), {}});
     eyes_.look(std::vector<Sighting>{});
   }
   Doing show(std::vector<Sighting> sightings) {
@@ -98,15 +98,15 @@ TEST(Automaton, TellsTriggersWhenTheirStateIsEnteredAgain) {
 TEST(Automaton, EnteredAnewBeginsInTheFirstStateAgain) {
   Shown shown({"test", {{"A", {}, {{Immediate{}, "B"}}}, {"B", {}, {}}}});
   static_cast<void>(shown.show({}));
-  shown.automaton().enter(7);
+  shown.automaton().enter({7, {}});
   EXPECT_EQ(shown.state(), "A");
-  EXPECT_EQ(shown.automaton().entered(), 7U);
+  EXPECT_EQ(shown.automaton().entered().tick, 7U);
 }
 
 TEST(Automaton, GoesOnInTheMiddleOfAState) {
   const AutomatonPlan plan{"test", {{"A", {}, {{Wait{0}, "B"}}}, {"B", {}, {{Wait{5}, "A"}}}}};
   Automaton automaton(plan, SchemaConfigs{}, Self{});
-  automaton.resume("B", 10);
+  automaton.resume("B", {10, {}});
   Surroundings around;
   around.tick = 14;
   static_cast<void>(automaton.step(around));
@@ -168,18 +168,18 @@ TEST(Automaton, IsRefusedWhenANameOccursTwice) {
 }
 
 TEST(Automaton, IsRefusedWithASchemaThatIsNot) {
-  EXPECT_EQ(refusal({"test", {{"A", {{{"Fly", 1.0, {}}}, Act::None}, {}}}}),
+  EXPECT_EQ(refusal({"test", {{"A", {{{"Fly", 1.0, {}}}, {}}, {}}}}),
             "automaton test: state A: there is no schema called Fly");
 }
 
 TEST(Automaton, IsRefusedWithASchemaThatLacksItsThing) {
-  EXPECT_EQ(refusal({"test", {{"A", {{{"MoveTo", 1.0, {}}}, Act::None}, {}}}}),
+  EXPECT_EQ(refusal({"test", {{"A", {{{"MoveTo", 1.0, {}}}, {}}, {}}}}),
             "automaton test: state A: schema MoveTo lacks a thing to be about");
 }
 
 TEST(Automaton, IsRefusedWithMoreSchemasThanTelemetryShows) {
   const std::vector<SchemaUse> many(Telemetry::kMaxShares + 1, {"Noise", 1.0, {}});
-  EXPECT_EQ(refusal({"test", {{"A", {many, Act::None}, {}}}}),
+  EXPECT_EQ(refusal({"test", {{"A", {many, {}}, {}}}}),
             "automaton test: state A: an activity has 17 schemas, wanted at most 16");
 }
 

@@ -26,7 +26,7 @@ Automaton automaton(Role role) {
 std::string next(Role role, std::string_view state, const Percept& now) {
   Automaton played = automaton(role);
   ForageEyes eyes;
-  played.resume(state, 0);
+  played.resume(state, {0, {}});
   static_cast<void>(played.step(eyes.look(now)));
   return std::string(played.state());
 }
@@ -35,7 +35,7 @@ std::string next(Role role, std::string_view state, const Percept& now) {
 Doing doing(Role role, std::string_view state, const Percept& now) {
   Automaton played = automaton(role);
   ForageEyes eyes;
-  played.resume(state, 0);
+  played.resume(state, {0, {}});
   const Doing doing = played.step(eyes.look(now));
   EXPECT_EQ(played.state(), state);
   return doing;

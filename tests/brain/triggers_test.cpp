@@ -52,7 +52,7 @@ TEST(Triggers, ImmediateAlwaysFires) { EXPECT_TRUE(fires(Immediate{}, percept(0,
 
 TEST(Triggers, WaitFiresSoManyTicksAfterItsStateWasEntered) {
   Trigger wait = Wait{3};
-  notify_entered(wait, 100);
+  notify_entered(wait, {100, {}});
   Surroundings around;
   around.tick = 102;
   EXPECT_FALSE(holds(wait, around));

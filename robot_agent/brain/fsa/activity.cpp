@@ -59,8 +59,8 @@ Doing Activity::step(const Surroundings& around) {
 }
 
 bool Activity::acts(Tick now) const {
-  const Tick first = entry_.tick + 1 + deed_.after_ticks;
-  return deed_.once ? now == first : now >= first;
+  const Tick begin = entry_.tick + deed_.after_ticks;
+  return deed_.once ? now == begin + 1 : now >= begin;
 }
 
 void Activity::report(std::vector<SchemaShare>& shares) const {
