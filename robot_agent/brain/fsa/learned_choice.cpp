@@ -10,8 +10,7 @@ std::size_t states_of(const ChoicePlan& plan) {
   if (plan.actions.empty()) throw ConfigError("learner " + plan.name + " has no actions");
   if (plan.triggers.size() > LearnedChoice::kMostTriggers) {
     throw ConfigError("learner " + plan.name + " has " + std::to_string(plan.triggers.size()) +
-                      " triggers, wanted at most " +
-                      std::to_string(LearnedChoice::kMostTriggers));
+                      " triggers, wanted at most " + std::to_string(LearnedChoice::kMostTriggers));
   }
   return plan.actions.size() << plan.triggers.size();
 }

@@ -46,8 +46,8 @@ class RecordReader {
   /// A whole number below `limit`.
   [[nodiscard]] std::uint64_t count(std::uint64_t limit) {
     const double value = number();
-    sound_ = sound_ && value >= 0.0 && value < static_cast<double>(limit) &&
-             value == std::floor(value);
+    sound_ =
+        sound_ && value >= 0.0 && value < static_cast<double>(limit) && value == std::floor(value);
     return sound_ ? static_cast<std::uint64_t>(value) : 0;
   }
   [[nodiscard]] Entry entry() {

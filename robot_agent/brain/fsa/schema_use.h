@@ -23,10 +23,9 @@
 namespace tacit {
 
 /// The schemas that automata can use. A new one needs its file pair, its test and its name here.
-using UsableSchemas =
-    TypeList<MoveTo, PursueEnemy, AvoidSoldiers, AvoidObstacles, Noise, MoveToPlace, MoveAwayFrom,
-             AvoidRobots, ProceedAlong, StayOnPath, PassDoorway, MoveToFreeSpace, MoveAhead,
-             KeepFormation, Telop>;
+using UsableSchemas = TypeList<MoveTo, PursueEnemy, AvoidSoldiers, AvoidObstacles, Noise,
+                               MoveToPlace, MoveAwayFrom, AvoidRobots, ProceedAlong, StayOnPath,
+                               PassDoorway, MoveToFreeSpace, MoveAhead, KeepFormation, Telop>;
 
 /// What a use of a schema brings along; without one, its parameters are the scenario's.
 using SchemaSetting =

@@ -72,12 +72,11 @@ void RobotMomentum::adjust(Situation situation) {
   gains_.goal = within(gains_.goal + step(steps.goal), kGoal);
   const double obstacle = gains_.obstacle + step(steps.obstacle);
   gains_.noise = within(gains_.noise + step(steps.noise), kNoise);
-  gains_.obstacle = std::clamp(obstacle, std::min(gains_.goal + gains_.noise, kMostObstacle),
-                               kMostObstacle);
+  gains_.obstacle =
+      std::clamp(obstacle, std::min(gains_.goal + gains_.noise, kMostObstacle), kMostObstacle);
   gains_.sphere_m = within(gains_.sphere_m + step(steps.sphere_m), kSphereM);
   const auto hop = static_cast<double>(chance_.below(2));
-  const double persistence =
-      static_cast<double>(gains_.persistence) + steps.persistence.low + hop;
+  const double persistence = static_cast<double>(gains_.persistence) + steps.persistence.low + hop;
   gains_.persistence = static_cast<std::int64_t>(within(persistence, kPersistence));
 }
 

@@ -18,8 +18,8 @@ class RobotMomentum {
     double goal = 1.0;
     double obstacle = 1.0;
     double noise = 0.0;
-    double sphere_m = 1.0;             ///< Within which obstacles push.
-    std::int64_t persistence = 10;     ///< Of noise [ticks].
+    double sphere_m = 1.0;          ///< Within which obstacles push.
+    std::int64_t persistence = 10;  ///< Of noise [ticks].
     friend bool operator==(const Gains&, const Gains&) = default;
   };
   enum class Situation : std::uint8_t {

@@ -87,8 +87,8 @@ std::optional<Colour> colour_of(ThingSet things) {
 }
 
 void Arguments::refuse(const std::string& what) const {
-  findings_->push_back({cdl::Severity::Error, "parameter", behaviour_->name + ": " + what,
-                        place_.begin, 0, 0});
+  findings_->push_back(
+      {cdl::Severity::Error, "parameter", behaviour_->name + ": " + what, place_.begin, 0, 0});
 }
 
 const cdl::Value* Arguments::given(std::string_view name) const {

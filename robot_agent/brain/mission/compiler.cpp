@@ -23,9 +23,8 @@ const cdl::Device* wheels_of(const cdl::Robot& robot) {
 /// The states that rules lead to, the first one first; MissionLab begins in `Start`.
 std::vector<const cdl::State*> reachable(const cdl::Automaton& automaton) {
   const auto called = [&automaton](std::string_view name) {
-    const auto found =
-        std::find_if(automaton.states.begin(), automaton.states.end(),
-                     [name](const cdl::State& state) { return state.name == name; });
+    const auto found = std::find_if(automaton.states.begin(), automaton.states.end(),
+                                    [name](const cdl::State& state) { return state.name == name; });
     return found == automaton.states.end() ? nullptr : &*found;
   };
   const cdl::State* start = called("Start");
@@ -134,9 +133,9 @@ StatePlan MissionCompiler::automaton(const cdl::Behaviour& behaviour, const cdl:
     StatePlan made = content(state->behaviour, state->span);
     made.name = name_of(*state, states);
     for (const cdl::Rule& rule : state->rules) {
-      const auto next =
-          std::find_if(states.begin(), states.end(),
-                       [&rule](const cdl::State* each) { return each->name == rule.target; });
+      const auto next = std::find_if(states.begin(), states.end(), [&rule](const cdl::State* each) {
+        return each->name == rule.target;
+      });
       if (next == states.end()) {
         refuse("undefined-state", "a rule leads to " + rule.target + ", which is no state",
                rule.span);
@@ -235,7 +234,8 @@ StatePlan MissionCompiler::learner(const cdl::Behaviour& behaviour, const cdl::S
   const auto rate = [&](std::string_view name, double& value) {
     if (!given.has(name)) return;
     value = given.number(name);
-    if (!(value >= 0.0 && value <= 1.0)) given.refuse("%" + std::string(name) + " is not in 0 to 1");
+    if (!(value >= 0.0 && value <= 1.0))
+      given.refuse("%" + std::string(name) + " is not in 0 to 1");
   };
   rate("alpha", plan.learner.alpha);
   rate("alphaDecay", plan.learner.alpha_decay);

@@ -10,8 +10,10 @@ namespace {
 
 /// MissionLab's parameters for keeping clear.
 Clearance clearance(const Arguments& given) {
-  return {given.number("avoid_obstacle_gain"), given.number("avoid_obstacle_sphere"),
-          given.number("avoid_obstacle_safety_margin"), {}};
+  return {given.number("avoid_obstacle_gain"),
+          given.number("avoid_obstacle_sphere"),
+          given.number("avoid_obstacle_safety_margin"),
+          {}};
 }
 
 StatePlan with_momentum(const SchemaUse& goal, const Clearance& clear, double noise_gain) {
@@ -95,50 +97,48 @@ StatePlan move_away(const Arguments& given) {
   const bool own = given.has("avoid_objects_sphere");
   const double reach_m = own ? given.number("avoid_objects_sphere") : clear.sphere_m;
   const double margin_m = own ? given.number("avoid_objects_safety_margin") : clear.margin_m;
-  return state_of(moving({use_of<MoveAwayFrom>(given.number("move_away_object_gain"),
-                                               {reach_m, margin_m}, things)},
-                         clear, given.number("wander_gain")));
+  return state_of(moving(
+      {use_of<MoveAwayFrom>(given.number("move_away_object_gain"), {reach_m, margin_m}, things)},
+      clear, given.number("wander_gain")));
 }
 
 StatePlan follow(const Arguments& given) {
   const MoveTo::Config config{given.number("max_sensor_range"), given.number("follow_distance")};
-  return state_of(moving({use_of<MoveTo>(given.number("move_to_object_gain"), config,
-                                         given.things("Objects"))},
-                         clearance(given), given.number("wander_gain")));
+  return state_of(
+      moving({use_of<MoveTo>(given.number("move_to_object_gain"), config, given.things("Objects"))},
+             clearance(given), given.number("wander_gain")));
 }
 
 StatePlan move_ahead(const Arguments& given) {
   const MoveAhead::Config config{given.number("direction")};
-  return state_of(moving({use_of<MoveAhead>(given.number("move_ahead_gain"), config)},
-                         clearance(given), 0.0));
+  return state_of(
+      moving({use_of<MoveAhead>(given.number("move_ahead_gain"), config)}, clearance(given), 0.0));
 }
 
 // MissionLab's Wander: gains as `curious` and `cautious` say, noise 0.8.
 StatePlan wander(const Arguments& given) {
   constexpr double kNoiseGain = 0.8;
   const Clearance clear{given.number("cautious"), 1.5, 0.3, {}};
-  return state_of(moving({use_of<MoveToFreeSpace>(given.number("curious"), {2.0})}, clear,
-                         kNoiseGain));
+  return state_of(
+      moving({use_of<MoveToFreeSpace>(given.number("curious"), {2.0})}, clear, kNoiseGain));
 }
 
 StatePlan move_in_formation(const Arguments& given, const TeamPlace& place) {
   const std::string formation = given.word("formation");
   constexpr std::array<std::string_view, 4> kFormations{"Line", "Column", "Wedge", "Diamond"};
   if (std::find(kFormations.begin(), kFormations.end(), formation) == kFormations.end()) {
-    given.refuse("no formation is called " + formation +
-                 ", wanted Line, Column, Wedge or Diamond");
+    given.refuse("no formation is called " + formation + ", wanted Line, Column, Wedge or Diamond");
   }
   const double spacing_m = given.number("spacing");
   const Slot slot = slot_of(formation, place.number);
   const Slot centre = centre_of(formation, place.count);
   const WorldVec goal_m = given.point("Goal_Location");
   const KeepFormation::Config keep{goal_m, spacing_m * (slot.ahead - centre.ahead),
-                                   spacing_m * (slot.left - centre.left),
-                                   given.number("dead_zone"), given.number("saturation")};
-  return state_of(
-      moving({use_of<MoveToPlace>(given.number("move_to_location_gain"), {goal_m}),
-              use_of<KeepFormation>(given.number("maintain_formation_gain"), keep)},
-             clearance(given), 0.0));
+                                   spacing_m * (slot.left - centre.left), given.number("dead_zone"),
+                                   given.number("saturation")};
+  return state_of(moving({use_of<MoveToPlace>(given.number("move_to_location_gain"), {goal_m}),
+                          use_of<KeepFormation>(given.number("maintain_formation_gain"), keep)},
+                         clearance(given), 0.0));
 }
 
 // MissionLab's: the joystick with a weak avoidance of obstacles.
@@ -146,9 +146,7 @@ StatePlan telop(const Arguments& /*given*/) {
   return state_of(moving({}, {0.33, 0.5, 0.3, {}}, 0.0));
 }
 
-StatePlan about_face(const Arguments& /*given*/) {
-  return state_of(standing({}, Turn::AboutFace));
-}
+StatePlan about_face(const Arguments& /*given*/) { return state_of(standing({}, Turn::AboutFace)); }
 
 StatePlan spin(const Arguments& /*given*/) { return state_of(standing({}, Turn::Scan)); }
 

@@ -23,17 +23,16 @@ template <class S>
   return {std::string(S::kName), gain, things, config};
 }
 
-/// `schemas` with what every moving behaviour has beside: AvoidObstacles and AvoidRobots, Noise with
-/// `wander_gain`, and the operator's joystick.
+/// `schemas` with what every moving behaviour has beside: AvoidObstacles and AvoidRobots, Noise
+/// with `wander_gain`, and the operator's joystick.
 [[nodiscard]] inline ActivityPlan moving(std::vector<SchemaUse> schemas, const Clearance& clearance,
                                          double wander_gain) {
   const double margin_m = clearance.margin_m;
   const double sphere_m = clearance.sphere_m;
   schemas.push_back(use_of<AvoidObstacles>(clearance.gain, {sphere_m, margin_m}));
-  schemas.push_back(use_of<AvoidRobots>(clearance.gain,
-                                        {sphere_m, margin_m,
-                                         !clearance.not_robots.has(Thing::Friend),
-                                         !clearance.not_robots.has(Thing::Enemy)}));
+  schemas.push_back(use_of<AvoidRobots>(
+      clearance.gain, {sphere_m, margin_m, !clearance.not_robots.has(Thing::Friend),
+                       !clearance.not_robots.has(Thing::Enemy)}));
   schemas.push_back(use_of<Noise>(wander_gain, {10}));
   schemas.push_back({std::string(Telop::kName), 1.0, {}, {}});
   return {std::move(schemas), {}, Turn::None, {}};

@@ -5,8 +5,10 @@ namespace tacit::behaviours {
 namespace {
 
 Clearance clearance(const Arguments& given, std::string_view gain) {
-  return {given.number(gain), given.number("avoid_obstacle_sphere"),
-          given.number("avoid_obstacle_safety_margin"), {}};
+  return {given.number(gain),
+          given.number("avoid_obstacle_sphere"),
+          given.number("avoid_obstacle_safety_margin"),
+          {}};
 }
 
 HallwayWay way_called(const Arguments& given) {
@@ -57,10 +59,9 @@ StatePlan named(std::string name, ActivityPlan activity, std::vector<Rule> rules
 
 StatePlan proceed_along_hallway(const Arguments& given) {
   const ProceedAlong::Config along{way_called(given)};
-  return state_of(
-      moving({use_of<ProceedAlong>(given.number("move_to_location_gain"), along),
-              {std::string(StayOnPath::kName), given.number("off_path_gain"), {}, {}}},
-             clearance(given, "avoid_obstacle_gain"), 0.0));
+  return state_of(moving({use_of<ProceedAlong>(given.number("move_to_location_gain"), along),
+                          {std::string(StayOnPath::kName), given.number("off_path_gain"), {}, {}}},
+                         clearance(given, "avoid_obstacle_gain"), 0.0));
 }
 
 StatePlan enter_room(const Arguments& given) {

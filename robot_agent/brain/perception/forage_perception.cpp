@@ -50,8 +50,7 @@ void ForagePerception::sort(const Percept& percept) {
   around_.nearest = {};
   around_.teammates.clear();
   for (const Sighting& sighting : percept.sightings) {
-    const Nearest seen{sighting.offset_m, sighting.offset_m.squared_norm(),
-                       sighting.radius_m};
+    const Nearest seen{sighting.offset_m, sighting.offset_m.squared_norm(), sighting.radius_m};
     if (const auto thing = thing_in(sighting)) {
       Nearest& best = around_.nearest[static_cast<std::size_t>(*thing)];
       if (nearer(seen, best)) best = seen;

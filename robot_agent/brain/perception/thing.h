@@ -28,7 +28,7 @@ enum class Thing : std::uint8_t {
 
 /// In the order of the enumerators.
 inline constexpr std::array<std::string_view, 12> kThingNames{
-    "Mine", "Base",    "Enemy", "Disabled", "Friend", "Flag",
+    "Mine",    "Base", "Enemy", "Disabled", "Friend",  "Flag",
     "EodArea", "Rock", "Tree",  "Home",     "Unknown", "HidingPlace"};
 inline constexpr std::size_t kThings = kThingNames.size();
 
@@ -44,7 +44,9 @@ class ThingSet {
   constexpr ThingSet(Thing thing) : bits_(1U << static_cast<unsigned>(thing)) {}
 
   [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
-  [[nodiscard]] constexpr bool has(Thing thing) const { return (bits_ & ThingSet(thing).bits_) != 0; }
+  [[nodiscard]] constexpr bool has(Thing thing) const {
+    return (bits_ & ThingSet(thing).bits_) != 0;
+  }
   [[nodiscard]] constexpr ThingSet operator|(ThingSet other) const {
     ThingSet both;
     both.bits_ = bits_ | other.bits_;

@@ -35,8 +35,6 @@ ActivityPlan pursue(const RolesConfig& config) {
   return moving({use(PursueEnemy::kName, config.pursuit_gain)}, config, Act::Intercept);
 }
 
-ActivityPlan stand(Act act) {
-  return {{}, {.act = act}, Turn::None, {}};
-}
+ActivityPlan stand(Act act) { return {{}, {.act = act}, Turn::None, {}}; }
 
 }  // namespace tacit

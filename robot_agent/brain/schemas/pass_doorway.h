@@ -7,8 +7,8 @@
 
 namespace tacit {
 
-/// Pulls with strength 1 through a doorway (MissionLab's EnterRoom and LeaveRoom): to a point before
-/// it, when it comes at a slant, then through its middle to `beyond_m` on the other side.
+/// Pulls with strength 1 through a doorway (MissionLab's EnterRoom and LeaveRoom): to a point
+/// before it, when it comes at a slant, then through its middle to `beyond_m` on the other side.
 ///
 /// The doorway is chosen once in a state, in the first push in which one can be seen: the nearest,
 /// for a robot that leaves the one through which it came in. Nothing until then.

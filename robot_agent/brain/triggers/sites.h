@@ -14,8 +14,7 @@ namespace tacit {
   constexpr double kClearM = 0.4;
   return std::any_of(here.doorways.begin(), here.doorways.end(), [](const SeenDoorway& each) {
     const BodyVec across = unit(BodyVec{-each.jamb_m.y(), each.jamb_m.x()});
-    const bool between_jambs =
-        std::abs(each.offset_m.dot(unit(each.jamb_m))) <= each.jamb_m.norm();
+    const bool between_jambs = std::abs(each.offset_m.dot(unit(each.jamb_m))) <= each.jamb_m.norm();
     return between_jambs && std::abs(each.offset_m.dot(across)) < kClearM;
   });
 }
@@ -46,8 +45,8 @@ struct AtEndOfHall {
   [[nodiscard]] bool holds(const Surroundings& around) const {
     const Premises& here = around.premises;
     if (!here.hallway) return false;
-    const BodyVec course = here.course ? to_body(around.odometry.heading, *here.course)
-                                       : BodyVec{1.0, 0.0};
+    const BodyVec course =
+        here.course ? to_body(around.odometry.heading, *here.course) : BodyVec{1.0, 0.0};
     const bool ahead = course.dot(here.hallway->along) >= 0.0;
     return (ahead ? here.hallway->ahead_m : here.hallway->behind_m) <= tolerance_m;
   }
