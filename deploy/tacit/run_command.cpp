@@ -17,6 +17,7 @@ constexpr const char* kExamples = R"(Examples:
   tacit run guard --robots 6 --learner lm --strategy 1 --seed 7
   tacit run guard --one-process --json
   tacit run guard --map building.ovl
+  tacit run biohazard.cdl --map office.ovl --extra sentry.cdl
   tacit run forage --robots 6 --learner q --policy policies/team
   tacit run my.toml --set enemies.speed_mps=1.5 --out runs/slow --trajectories
 
@@ -42,7 +43,9 @@ double read_speed(const std::string& text) {
 }
 
 void add_scenario_options(CLI::App& run, RunWish& wish) {
-  run.add_option("scenario", wish.scenario, "Name of a scenario, or a file")->capture_default_str();
+  run.add_option("scenario", wish.scenario,
+                 "Name of a scenario, or a file: a scenario (.toml) or a mission (.cdl)")
+      ->capture_default_str();
   run.add_option("--robots", wish.robots, "Size of the team")->type_name("N");
   run.add_option("--learner", wish.learner,
                  "guard: static1, static2, lm or crowd; forage: q, homogeneous or heterogeneous")
@@ -54,6 +57,22 @@ void add_scenario_options(CLI::App& run, RunWish& wish) {
   run.add_option("--map", wish.map,
                  "MissionLab overlay from which area, walls, obstacles and start place come")
       ->type_name("FILE.ovl");
+  run.add_option(
+         "--extra", wish.extra,
+         "With a mission: another one, for robots that are not of the team, such as a sentry")
+      ->type_name("FILE.cdl");
+  run.add_option("--extra-colour", wish.extra_colour, "How those are painted; red is an enemy")
+      ->check(CLI::IsMember({"red", "blue"}))
+      ->capture_default_str();
+  run.add_option("--start", wish.starts,
+                 "With a mission: where the team's robots start and face; the first, the second, …")
+      ->type_name("X,Y[,DEG]")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  run.add_option("--extra-start", wish.extra_starts, "The same for the extra robots")
+      ->type_name("X,Y[,DEG]")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   run.add_option("--set", wish.settings, "Any parameter of the scenario; see `tacit scenarios`")
       ->type_name("SECTION.KEY=VALUE")
       ->expected(1)

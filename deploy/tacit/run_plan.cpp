@@ -4,6 +4,7 @@
 
 #include "console/record/run_store.h"
 #include "deploy/lockstep/team.h"
+#include "deploy/tacit/operation_wish.h"
 #include "deploy/tacit/scenario_library.h"
 #include "idl/scenario/values.h"
 #include "idl/types/config_error.h"
@@ -29,14 +30,14 @@ void apply(const RunWish& wish, ScenarioFile& file) {
     }
     file.set(setting.substr(0, equals), setting.substr(equals + 1));
   }
-  set_if_given(file, "robots.count", wish.robots, "--robots");
+  if (!asks_for_mission(wish)) {
+    set_if_given(file, "robots.count", wish.robots, "--robots");
+    if (!wish.map.empty()) file.set("area.map", toml_string(wish.map), "--map");
+  }
   set_if_given(file, "brain.learner", wish.learner, "--learner");
   set_if_given(file, "enemies.strategy", wish.strategy, "--strategy");
   set_if_given(file, "run.seed", wish.seed, "--seed");
   set_if_given(file, "run.duration_s", wish.duration_s, "--duration");
-  if (!wish.map.empty()) {
-    file.set("area.map", toml_string(wish.map), "--map");
-  }
 }
 
 /// "2030-01-31T23:59:59Z" as "20300131T235959Z", fit for a file name.
@@ -107,6 +108,21 @@ std::vector<std::string> texts(const std::vector<PolicyText>& policies) {
   return texts;
 }
 
+ScenarioFile scenario_of(const RunWish& wish) {
+  if (!wish.extra.empty() || !wish.starts.empty() || !wish.extra_starts.empty()) {
+    throw ConfigError("--extra, --start and --extra-start go with a mission file (.cdl), found " +
+                      wish.scenario);
+  }
+  const fs::path path = find_scenario(wish.scenario);
+  ScenarioFile file = ScenarioFile::read(path);
+  if (file.has("experiment")) {
+    throw ConfigError(path.string() +
+                      ": is an experiment, wanted a scenario; see `tacit "
+                      "experiment --help`");
+  }
+  return file;
+}
+
 void require_fit_for_a_file_name(const std::string& name) {
   if (name.empty() || name.front() == '.' || name.find('/') != std::string::npos) {
     throw ConfigError("[scenario] name = \"" + name + "\": wanted a name fit for a directory");
@@ -116,13 +132,7 @@ void require_fit_for_a_file_name(const std::string& name) {
 }  // namespace
 
 Setup resolve(const RunWish& wish) {
-  const fs::path path = find_scenario(wish.scenario);
-  ScenarioFile file = ScenarioFile::read(path);
-  if (file.has("experiment")) {
-    throw ConfigError(path.string() +
-                      ": is an experiment, wanted a scenario; see `tacit "
-                      "experiment --help`");
-  }
+  ScenarioFile file = asks_for_mission(wish) ? operation_scenario(wish) : scenario_of(wish);
   apply(wish, file);
   Setup setup = read_setup(file);
   require_fit_for_a_file_name(setup.run.name);

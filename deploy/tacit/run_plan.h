@@ -19,6 +19,10 @@ struct RunWish {
   std::string strategy;
   std::string seed;
   std::string map;
+  std::string extra;  ///< Mission of robots beside the team.
+  std::string extra_colour = "red";
+  std::vector<std::string> starts;        ///< "x,y,heading", of the team's first robots.
+  std::vector<std::string> extra_starts;  ///< In the same way of the extras.
   std::string duration_s;
   std::vector<std::string> settings;  ///< "section.key=value"
   std::string out;

@@ -73,4 +73,23 @@ fs::path find_scenario(const std::string& name_or_file) {
                     " Wanted a file or one of: " + joined(names));
 }
 
+fs::path find_shipped(const std::string& name_or_file, const std::string& folder,
+                      const std::string& ending) {
+  if (fs::is_regular_file(name_or_file)) return name_or_file;
+  std::vector<std::string> names;
+  for (const fs::path& parent : {program_folder().parent_path() / "share/tacit" / folder,
+                                 fs::path(TACIT_SOURCE_SCENARIOS).parent_path() / folder}) {
+    std::error_code error;
+    for (const fs::directory_entry& file : fs::directory_iterator(parent, error)) {
+      if (file.path().extension() != ending) continue;
+      const std::string stem = file.path().stem().string();
+      if (stem == name_or_file || stem + ending == name_or_file) return file.path();
+      names.push_back(stem);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  throw ConfigError("there is no file " + name_or_file + did_you_mean(name_or_file, names) +
+                    " Wanted a file (" + ending + ") or one of: " + joined(names));
+}
+
 }  // namespace tacit

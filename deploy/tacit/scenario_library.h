@@ -24,6 +24,13 @@ struct LibraryEntry {
 /// Throws ConfigError when there is none, with the names that there are.
 [[nodiscard]] std::filesystem::path find_scenario(const std::string& name_or_file);
 
+/// The mission or map that `name_or_file` means: a file that is there, else one of that name, its
+/// ending left out or not, of those that ship ("missions", ".cdl" and "maps", ".ovl"). Throws
+/// ConfigError when there is none, with the names that there are.
+[[nodiscard]] std::filesystem::path find_shipped(const std::string& name_or_file,
+                                                 const std::string& folder,
+                                                 const std::string& ending);
+
 /// The folder of this program's own file, where the other programs lie as well.
 [[nodiscard]] std::filesystem::path program_folder();
 

@@ -27,9 +27,13 @@ void describe_operation(BrainConfig& config, ParameterVisitor& visitor) {
 }
 
 void check_operation(const BrainConfig& config) {
-  const auto robots = static_cast<std::uint16_t>(config.script.starts.size());
-  for (std::uint16_t robot = 1; robot <= robots; ++robot) {
-    static_cast<void>(robot_plan(config.script, {robot}));
+  const OperationScript& script = config.script;
+  std::size_t parts = compile_mission(script.mission, "operation.mission").size();
+  if (!script.extras.empty()) parts += compile_mission(script.extras, "operation.extras").size();
+  if (parts != script.starts.size()) {
+    throw ConfigError("operation.starts has " + std::to_string(script.starts.size()) +
+                      " rows, wanted one for each of the missions' " + std::to_string(parts) +
+                      " robots");
   }
 }
 
