@@ -61,7 +61,8 @@ void OperationMind::report(Telemetry& out) const {
   if (begun_) root_->report(out.shares);
 }
 
-std::string OperationMind::memory() const {
+// What QLEARN operators and momentum have learned cannot be told apart from where they stand.
+std::string OperationMind::policy() const {
   OperationStand stand;
   stand.begun = begun_;
   stand.perception = perception_.memory();
@@ -79,15 +80,12 @@ bool OperationMind::recall(std::string_view memory) {
   return true;
 }
 
-// What a QLEARN operator and momentum learned lies in the memory; another run begins its mission
-// from the start, with the same.
-std::string OperationMind::policy() const { return memory(); }
-
 void OperationMind::inherit(std::string_view policy, std::string_view name) {
   if (!recall(policy)) {
     throw ConfigError(std::string(name) + ": it is no memory of this mission's robot " +
                       std::to_string(robot_.value));
   }
+  root_->begin_run();
   begun_ = false;
   perception_.resume({});
 }

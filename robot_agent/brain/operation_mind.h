@@ -20,7 +20,10 @@ class OperationMind final : public Mind {
 
   [[nodiscard]] Command decide(const Percept& percept) override;
   void report(Telemetry& out) const override;
-  [[nodiscard]] std::string memory() const override;
+  /// The policy of this moment is the whole memory.
+  [[nodiscard]] std::string memory(std::string_view policy) const override {
+    return std::string(policy);
+  }
   [[nodiscard]] bool recall(std::string_view memory) override;
   [[nodiscard]] std::uint64_t lessons() const override { return root_->lessons(); }
   [[nodiscard]] std::string policy() const override;

@@ -116,6 +116,10 @@ bool Automaton::resume(RecordReader& record) {
                      [&record](const State& state) { return state.behaviour->resume(record); });
 }
 
+void Automaton::begin_run() {
+  for (const State& state : states_) state.behaviour->begin_run();
+}
+
 std::uint64_t Automaton::lessons() const {
   std::uint64_t all = 0;
   for (const State& state : states_) all += state.behaviour->lessons();

@@ -31,6 +31,7 @@ class Automaton final : public Behaviour {
   [[nodiscard]] std::span<const Word> exit() const override;
   void note(Record& record) const override;
   [[nodiscard]] bool resume(RecordReader& record) override;
+  void begin_run() override;
   [[nodiscard]] std::uint64_t lessons() const override;
 
   /// The current state's name, and when and where it was entered.

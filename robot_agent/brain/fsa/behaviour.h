@@ -43,6 +43,8 @@ class Behaviour {
   /// when the record cannot be one of this behaviour.
   virtual void note(Record& record) const = 0;
   [[nodiscard]] virtual bool resume(RecordReader& record) = 0;
+  /// Another run begins with what has been learned so far.
+  virtual void begin_run() {}
   /// Grows whenever something was learned.
   [[nodiscard]] virtual std::uint64_t lessons() const { return 0; }
 };

@@ -100,6 +100,11 @@ void LearnedChoice::name_states(std::string& path) const {
   actions_[action_]->name_states(path);
 }
 
+void LearnedChoice::begin_run() {
+  learner_.inherit(learner_.table());
+  for (const auto& action : actions_) action->begin_run();
+}
+
 void LearnedChoice::note(Record& record) const {
   record.add_count(action_);
   record.add_count(fired_);

@@ -30,6 +30,8 @@ class LearnedChoice final : public Behaviour {
   void name_states(std::string& path) const override;
   void note(Record& record) const override;
   [[nodiscard]] bool resume(RecordReader& record) override;
+  /// The rates decay, as at the start of each run.
+  void begin_run() override;
   [[nodiscard]] std::uint64_t lessons() const override { return learner_.table().updates; }
 
   [[nodiscard]] const QTable& table() const { return learner_.table(); }
