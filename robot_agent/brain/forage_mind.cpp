@@ -4,7 +4,7 @@
 #include "robot_agent/brain/learning/homogeneous.h"
 #include "robot_agent/brain/learning/policy_text.h"
 #include "robot_agent/brain/learning/q_roles.h"
-#include "robot_agent/brain/roles/registry.h"
+#include "robot_agent/brain/roles/role_plans.h"
 
 namespace tacit {
 namespace {
@@ -19,8 +19,8 @@ std::unique_ptr<RoleSelector> make_selector(const BrainConfig& config, const Sel
 
 std::vector<Automaton> make_automata(const BrainConfig& config, const Self& self) {
   std::vector<Automaton> automata;
-  for (const auto plan : kRolePlans) {
-    automata.emplace_back(plan(config.roles), config.schemas, self);
+  for (const AutomatonPlan& plan : role_plans(config.roles)) {
+    automata.emplace_back(plan, config.schemas, self);
   }
   return automata;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "idl/types/parameters.h"
 
 namespace tacit {
@@ -17,6 +19,7 @@ struct RolesConfig {
   double pursuit_gain = 2.0;
   double avoid_obstacles_gain = 0.5;
   double avoid_teammates_gain = 0.5;
+  std::string mission;  ///< In which robots named as the roles say what those do; empty: as above.
 };
 
 void describe(RolesConfig& config, ParameterVisitor& visitor);
