@@ -253,7 +253,7 @@ std::string wanted(const VocabularyRow& row) {
       return "a number from " + shown(row.low) + " to " + shown(row.high) +
              (row.unit.empty() ? "" : " " + std::string(row.unit));
     case ParameterKind::Point:
-      return "a point: x, y in " + std::string(row.unit);
+      return "a point: x, y in " + std::string(row.unit) + ", or the name of one";
     case ParameterKind::Flag:
       return "true or false";
     case ParameterKind::Word:
@@ -273,8 +273,11 @@ bool fits(const VocabularyRow& row, const Value& value) {
       return number != nullptr && row.low <= *number && *number <= row.high;
     }
     case ParameterKind::Point: {
+      // MissionLab's later versions have a height as well; a name is that of a point of the map.
       const auto* list = std::get_if<std::vector<double>>(&value);
-      return list != nullptr && list->size() == 2;
+      const auto* name = std::get_if<Words>(&value);
+      return (list != nullptr && (list->size() == 2 || list->size() == 3)) ||
+             (name != nullptr && name->words.size() == 1);
     }
     case ParameterKind::Flag:
       return std::holds_alternative<bool>(value);

@@ -94,7 +94,7 @@ StatePlan unmark_doorway(const Arguments& /*given*/) {
 // MissionLab's SurveyRoom*: LookFor, MoveToward (gains 1.0 and 0.5, sphere 1.2, margin 0.3), Near
 // 0.1, TestObject, and out with what was found.
 StatePlan survey_room(const Arguments& /*given*/) {
-  const ThingSet suspects = Thing::Unknown;
+  const ThingSet suspects = Thing::UnknownHere;
   const Deed test{.act = Act::Test, .about = Colour::Brown, .after_ticks = kProbeTicks};
   const ActivityPlan approach =
       moving({use_of<MoveTo>(1.0, {}, suspects)}, {0.5, 1.2, 0.3, {}}, 0.0);

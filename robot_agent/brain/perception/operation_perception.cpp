@@ -6,8 +6,8 @@
 namespace tacit {
 namespace {
 
-/// A robot faces along a hallway when it faces no more than 30 degrees off [ours].
-constexpr double kFacingAlong = 0.866;
+/// A robot faces along a hallway when it faces no more than 60 degrees off [ours].
+constexpr double kFacingAlong = 0.5;
 
 std::optional<Thing> object_of(Colour colour) {
   switch (colour) {
@@ -55,6 +55,16 @@ std::optional<Thing> thing_in(const Sighting& sighting) {
   return std::nullopt;
 }
 
+/// Whether the straight way to `offset_m` leads through an opening.
+bool through(const SeenDoorway& doorway, const BodyVec& offset_m) {
+  const BodyVec one_m = doorway.offset_m + doorway.jamb_m;
+  const BodyVec other_m = doorway.offset_m - doorway.jamb_m;
+  const BodyVec wall = other_m - one_m;
+  const bool between = offset_m.cross(one_m) * offset_m.cross(other_m) < 0.0;
+  const bool beyond = wall.cross(-one_m) * wall.cross(offset_m - one_m) < 0.0;
+  return between && beyond;
+}
+
 }  // namespace
 
 OperationPerception::OperationPerception(const WorldPose& start) : start_(start) {
@@ -98,10 +108,21 @@ void OperationPerception::sort(const Percept& percept) {
     }
     if (const auto thing = thing_in(sighting)) {
       const Nearest seen{sighting.offset_m, sighting.offset_m.squared_norm(), sighting.radius_m};
-      Nearest& best = around_.nearest[static_cast<std::size_t>(*thing)];
-      if (nearer(seen, best)) best = seen;
+      note(*thing, seen);
+      if (thing == Thing::Unknown && is_here(seen.offset_m)) note(Thing::UnknownHere, seen);
     }
   }
+}
+
+void OperationPerception::note(Thing thing, const Nearest& seen) {
+  Nearest& best = around_.nearest[static_cast<std::size_t>(thing)];
+  if (nearer(seen, best)) best = seen;
+}
+
+bool OperationPerception::is_here(const BodyVec& offset_m) const {
+  const auto& doorways = around_.premises.doorways;
+  return std::none_of(doorways.begin(), doorways.end(),
+                      [&offset_m](const SeenDoorway& each) { return through(each, offset_m); });
 }
 
 void OperationPerception::complete_home() {

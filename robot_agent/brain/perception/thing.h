@@ -23,13 +23,14 @@ enum class Thing : std::uint8_t {
   Tree,         ///< Sea green.
   Home,         ///< White: home base or start place; seen or remembered.
   Unknown,      ///< Brown: what may be dangerous.
+  UnknownHere,  ///< The same, not seen through a doorway: in the room that the robot is in.
   HidingPlace,  ///< Light blue; also a hostage.
 };
 
 /// In the order of the enumerators.
-inline constexpr std::array<std::string_view, 12> kThingNames{
-    "Mine",    "Base", "Enemy", "Disabled", "Friend",  "Flag",
-    "EodArea", "Rock", "Tree",  "Home",     "Unknown", "HidingPlace"};
+inline constexpr std::array<std::string_view, 13> kThingNames{
+    "Mine", "Base", "Enemy", "Disabled", "Friend",      "Flag",       "EodArea",
+    "Rock", "Tree", "Home",  "Unknown",  "UnknownHere", "HidingPlace"};
 inline constexpr std::size_t kThings = kThingNames.size();
 
 [[nodiscard]] constexpr std::string_view name(Thing thing) {

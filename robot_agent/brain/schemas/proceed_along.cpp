@@ -3,18 +3,26 @@
 namespace tacit {
 namespace {
 
-/// Facing less than this share along the hallway is facing across it: 45 degrees.
-constexpr double kAlong = 0.7071;
+/// Facing less than this share along the hallway is facing across it: 60 degrees off and more.
+constexpr double kAlong = 0.5;
+/// So near to its end a hallway does not go on [ours: AtEndOfHall's tolerance].
+constexpr double kAtItsEndM = 0.5;
 
-BodyVec choose(HallwayWay way, const BodyVec& along, const Surroundings& around) {
+/// The way of its course, unless the hallway ends there.
+BodyVec by_course(const SeenHallway& hallway, const OdometryVec& course, const Heading& heading) {
+  const bool ahead = to_body(heading, course).dot(hallway.along) >= 0.0;
+  const bool ends = (ahead ? hallway.ahead_m : hallway.behind_m) <= kAtItsEndM;
+  return ahead == ends ? -hallway.along : hallway.along;
+}
+
+BodyVec choose(HallwayWay way, const SeenHallway& hallway, const Surroundings& around) {
+  const BodyVec& along = hallway.along;
   const BodyVec facing = along.x() < 0.0 ? -along : along;
-  const bool across = facing.x() < kAlong;
-  if (!across) return facing;
+  if (facing.x() >= kAlong) return facing;
   if (way == HallwayWay::Left) return along.y() < 0.0 ? -along : along;
   if (way == HallwayWay::Right) return along.y() > 0.0 ? -along : along;
-  if (!around.premises.course) return facing;
-  const BodyVec course = to_body(around.odometry.heading, *around.premises.course);
-  return course.dot(along) < 0.0 ? -along : along;
+  const auto& course = around.premises.course;
+  return course ? by_course(hallway, *course, around.odometry.heading) : facing;
 }
 
 }  // namespace
@@ -24,15 +32,15 @@ BodyVec ProceedAlong::push(const Surroundings& around) {
   if (!hallway) return {};
   const Heading& heading = around.odometry.heading;
   if (!chosen_) {
-    chosen_ = from_body<OdometryFrame>(heading, choose(way_, hallway->along, around));
+    chosen_ = from_body<OdometryFrame>(heading, choose(way_, *hallway, around));
   }
   const BodyVec wanted = to_body(heading, *chosen_);
   const bool ahead = wanted.dot(hallway->along) >= 0.0;
   // The centre line bends, so what was chosen follows it.
   const BodyVec pull = ahead ? hallway->along : -hallway->along;
   chosen_ = from_body<OdometryFrame>(heading, pull);
-  constexpr double kAtItsEndM = 0.05;
-  return (ahead ? hallway->ahead_m : hallway->behind_m) > kAtItsEndM ? pull : BodyVec{};
+  constexpr double kArrivedM = 0.05;
+  return (ahead ? hallway->ahead_m : hallway->behind_m) > kArrivedM ? pull : BodyVec{};
 }
 
 }  // namespace tacit

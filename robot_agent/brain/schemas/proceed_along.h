@@ -9,7 +9,7 @@ namespace tacit {
 
 /// Which way along a hallway, seen from a robot in it.
 enum class HallwayWay : std::uint8_t {
-  Facing,  ///< As it faces; where it faces across the hallway, as it faced along it last.
+  Facing,  ///< As it faces; across the hallway as it faced along it last, unless it ends there.
   Left,    ///< To its left; where it faces along the hallway, as it faces.
   Right,
 };

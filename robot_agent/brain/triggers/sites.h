@@ -37,6 +37,14 @@ struct InHallway {
   }
 };
 
+/// The way along the hallway that the robot is in, as its course has it, else as it faces.
+[[nodiscard]] inline BodyVec hallway_way(const Surroundings& around) {
+  const Premises& here = around.premises;
+  const BodyVec course =
+      here.course ? to_body(around.odometry.heading, *here.course) : BodyVec{1.0, 0.0};
+  return course.dot(here.hallway->along) >= 0.0 ? here.hallway->along : -here.hallway->along;
+}
+
 /// Fires where the hallway that the robot is in ends, in the direction in which it goes.
 struct AtEndOfHall {
   static constexpr std::string_view kName = "AtEndOfHall";
@@ -45,9 +53,7 @@ struct AtEndOfHall {
   [[nodiscard]] bool holds(const Surroundings& around) const {
     const Premises& here = around.premises;
     if (!here.hallway) return false;
-    const BodyVec course =
-        here.course ? to_body(around.odometry.heading, *here.course) : BodyVec{1.0, 0.0};
-    const bool ahead = course.dot(here.hallway->along) >= 0.0;
+    const bool ahead = hallway_way(around).dot(here.hallway->along) >= 0.0;
     return (ahead ? here.hallway->ahead_m : here.hallway->behind_m) <= tolerance_m;
   }
 };
@@ -64,7 +70,8 @@ struct NotAtEndOfHall {
 /// On which side of the robot.
 enum class Side : std::uint8_t { Left, Right, Either };
 
-/// Fires in a hallway beside the middle of a doorway.
+/// Fires in a hallway beside the middle of a doorway, left and right being those of a robot that
+/// goes its way along the hallway.
 struct AtDoorway {
   static constexpr std::string_view kName = "AtDoorway";
   Side side = Side::Either;
@@ -74,17 +81,19 @@ struct AtDoorway {
 
   [[nodiscard]] bool holds(const Surroundings& around) const {
     const Premises& here = around.premises;
-    if (here.site != Site::Hallway) return false;
+    if (here.site != Site::Hallway || !here.hallway) return false;
+    const BodyVec way = hallway_way(around);
     return std::any_of(here.doorways.begin(), here.doorways.end(),
-                       [this](const SeenDoorway& each) { return beside(each); });
+                       [&](const SeenDoorway& each) { return beside(each, way); });
   }
 
  private:
-  [[nodiscard]] bool beside(const SeenDoorway& doorway) const {
+  [[nodiscard]] bool beside(const SeenDoorway& doorway, const BodyVec& way) const {
     if (unmarked_only && doorway.marked) return false;
-    if (std::abs(doorway.offset_m.x()) > 0.5 * clearance_m) return false;
-    if (std::abs(doorway.offset_m.y()) > hallway_width_m) return false;
-    const bool left = doorway.offset_m.y() > 0.0;
+    if (std::abs(way.dot(doorway.offset_m)) > 0.5 * clearance_m) return false;
+    const double left_m = way.cross(doorway.offset_m);
+    if (std::abs(left_m) > hallway_width_m) return false;
+    const bool left = left_m > 0.0;
     return side == Side::Either || (side == Side::Left) == left;
   }
 };
