@@ -19,7 +19,8 @@ struct OperationScript {
   std::int64_t extra_count = 0;  ///< How many of the robots are those.
   std::string extra_colour = "red";         ///< "red" is an enemy's, "blue" a friend's.
   std::string map;                          ///< An overlay.
-  std::vector<std::vector<double>> starts;  ///< Rows of x [m], y [m], heading [deg], one per robot.
+  std::vector<std::vector<double>> starts;  ///< Rows of x, y [m] and heading [deg] on the map, one
+                                            ///< per robot.
 };
 
 /// Section `operation`.

@@ -70,7 +70,7 @@ struct RunStatus {
   std::uint32_t rejected = 0;
   std::uint16_t robots = 0;
   std::uint16_t present = 0;
-  bool repeatable = true;  ///< False once a robot was lost or late.
+  bool repeatable = true;  ///< False once a robot was lost or late, or an operator acted.
 };
 
 }  // namespace tacit
