@@ -42,6 +42,7 @@ class Tally {
 
  private:
   Folds folds_;
+  bool operation_ = false;  ///< The run is one.
 };
 
 }  // namespace tacit

@@ -62,6 +62,15 @@ TEST(Tally, AnEmptyRunHasCountsButNoMeasures) {
   }
 }
 
+TEST(Tally, AnOperationHasNoMeasuresOfAGuard) {
+  Tally tally;
+  tally.add({0, OperationBegun{2, 1}});
+  tally.add({1, Collision{}});
+  EXPECT_EQ(tally.value("created"), std::nullopt);
+  EXPECT_EQ(tally.value("idle_mean_distance_m"), std::nullopt);
+  EXPECT_EQ(tally.value("collisions"), 1.0);
+}
+
 TEST(Tally, EveryDeathOfANormalEnemyHasADistance) {
   Stream stream(5, "tally");
   Tally tally;
