@@ -18,8 +18,9 @@ void describe(RunConfig& config, ParameterVisitor& visitor) {
   visitor.text("description", config.description, {"", "One sentence for people."});
   visitor.choice("mission", config.mission, kMissionNames,
                  {"",
-                  "What the team is there for: guard a target [paper, section 2], or forage for "
-                  "mines [paper, section 3]. Decides which other parameters there are."});
+                  "What the team is there for: guard a target [paper, section 2], forage for mines "
+                  "[paper, section 3], or carry out a mission file on a map [paper, section 4]. "
+                  "Decides which other parameters there are."});
   visitor.section("run", "How long, and with which chance.");
   visitor.integer("seed", config.seed, {0.0, kLargestSeed},
                   {"",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tests/world/sample_worlds.h"
@@ -42,7 +43,7 @@ struct Lookout {
     Senses senses(config, terrain, seed);
     Percept out;
     for (int i = 0; i < looks; ++i) {
-      senses.sense({places, headings, bodies, &grid, target, {}}, 0, out);
+      senses.sense({places, headings, bodies, &grid, std::span(&target, 1), {}}, 0, out);
     }
     return out;
   }

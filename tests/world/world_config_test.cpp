@@ -111,10 +111,13 @@ class DefaultsInRange final : public ParameterVisitor {
 };
 
 TEST(WorldParameters, AreInRangeByDefaultNamedOnceAndSourced) {
-  WorldConfig config;
-  DefaultsInRange visitor;
-  describe(config, visitor);
-  EXPECT_GT(visitor.count(), 40u);
+  for (const MissionKind mission :
+       {MissionKind::Guard, MissionKind::Forage, MissionKind::Operation}) {
+    WorldConfig config = world_defaults(mission);
+    DefaultsInRange visitor;
+    describe(config, visitor);
+    EXPECT_GT(visitor.count(), 40u) << name(mission);
+  }
 }
 
 // Writes into everything it is shown.
@@ -182,6 +185,18 @@ auto members(const PhysicsConfig& c) {
   const auto& [m1, m2, m3] = c;
   return std::tie(m1, m2, m3);
 }
+auto members(const OperationScript& c) {
+  const auto& [m1, m2, m3, m4, m5, m6] = c;
+  return std::tie(m1, m2, m3, m4, m5, m6);
+}
+auto members(const SignalConfig& c) {
+  const auto& [m1, m2, m3] = c;
+  return std::tie(m1, m2, m3);
+}
+auto members(const OperationReachConfig& c) {
+  const auto& [m1, m2, m3, m4, m5] = c;
+  return std::tie(m1, m2, m3, m4, m5);
+}
 
 template <class Section>
 void expect_all_changed(const Section& now, const Section& before) {
@@ -205,6 +220,20 @@ TEST(WorldParameters, CoverEveryMember) {
   expect_all_changed(config.sight, plain.sight);
   expect_all_changed(config.enemies, plain.enemies);
   expect_all_changed(config.physics, plain.physics);
+}
+
+TEST(WorldParameters, OfAnOperationCoverEveryMember) {
+  const WorldConfig plain = world_defaults(MissionKind::Operation);
+  WorldConfig config = plain;
+  Scrambler visitor;
+  describe(config, visitor);
+  expect_all_changed(config.operation.script, plain.operation.script);
+  expect_all_changed(config.operation.signal, plain.operation.signal);
+  expect_all_changed(config.operation.reach, plain.operation.reach);
+  EXPECT_NE(config.operation.doorway_range_m, plain.operation.doorway_range_m);
+  EXPECT_NE(config.operation.point_reach_m, plain.operation.point_reach_m);
+  EXPECT_NE(config.operation.exposure_range_m, plain.operation.exposure_range_m);
+  EXPECT_NE(config.operation.proceed, plain.operation.proceed);
 }
 
 }  // namespace

@@ -241,7 +241,8 @@ TEST(World, OrdersPerceptsByRobot) {
 template <class Member>
 constexpr bool kIsIdentity = std::is_same_v<std::remove_cvref_t<Member>, RobotId> ||
                              std::is_same_v<std::remove_cvref_t<Member>, EnemyId> ||
-                             std::is_integral_v<std::remove_cvref_t<Member>>;
+                             (std::is_integral_v<std::remove_cvref_t<Member>> &&
+                              !std::is_same_v<std::remove_cvref_t<Member>, bool>);
 
 // The bindings name every member: one more, and this must be thought over.
 TEST(Percepts, CarryNoIdentityOfOthers) {
@@ -253,16 +254,34 @@ TEST(Percepts, CarryNoIdentityOfOthers) {
   const auto& [place, extent] = seen;
   static_assert(!kIsIdentity<decltype(place)> && !kIsIdentity<decltype(extent)>);
   const Percept percept;
-  const auto& [robot, tick, odometry, velocity, touching, able, holding, deeds, sightings,
-               obstacles] = percept;
-  const auto& [picked_up, stored, dropped, intercepted, revived] = deeds;
+  const auto& [robot, tick, odometry, velocity, touching, able, holding, held, deeds, sightings,
+               obstacles, site, hallway, doorways, heard, operated] = percept;
+  const auto& [picked_up, stored, dropped, intercepted, revived, marked, signalled, alerted,
+               tested] = deeds;
   static_assert(std::is_same_v<std::remove_cvref_t<decltype(picked_up)>, bool>);
-  EXPECT_FALSE(picked_up || stored || dropped || intercepted || revived);
+  EXPECT_FALSE(picked_up || stored || dropped || intercepted || revived || marked || signalled ||
+               alerted || tested != Finding::None);
   EXPECT_EQ(robot, RobotId{});
   EXPECT_EQ(tick, 0u);
   EXPECT_TRUE(sightings.empty() && obstacles.empty() && !touching && able && !holding);
+  EXPECT_TRUE(site == Site::Open && !hallway && doorways.empty() && heard.empty() &&
+              held == Colour::Orange && !operated.teleoperated);
   EXPECT_EQ(velocity, BodyVec{});
   EXPECT_EQ(odometry.position_m, OdometryVec{});
+}
+
+TEST(Percepts, CarryNoNumberOfARoomOrDoorway) {
+  const SeenDoorway doorway;
+  const auto& [middle, jamb, is_marked] = doorway;
+  static_assert(!kIsIdentity<decltype(middle)> && !kIsIdentity<decltype(jamb)> &&
+                !kIsIdentity<decltype(is_marked)>);
+  const SeenHallway hallway;
+  const auto& [nearest, along, ahead, behind, width] = hallway;
+  static_assert(!kIsIdentity<decltype(nearest)> && !kIsIdentity<decltype(along)> &&
+                !kIsIdentity<decltype(ahead)> && !kIsIdentity<decltype(behind)> &&
+                !kIsIdentity<decltype(width)>);
+  EXPECT_FALSE(is_marked);
+  EXPECT_EQ(width, 0.0);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Stage::Stage(const WorldConfig& config, std::uint64_t seed)
       physics_(terrain_, care_of(config_)),
       grid_(terrain_.width_m, terrain_.height_m, config_.sight.range_m),
       senses_(config_, terrain_, seed),
-      landmark_{focus_of(config_), {}},
+      focus_m_(focus_of(config_)),
       robots_(static_cast<std::size_t>(config_.robots.count)) {
   place_robots();
   grid_.rebuild(places_m_);
@@ -41,6 +41,7 @@ void Stage::place_robots() {
     headings_.push_back(pose.heading);
   }
   percepts_.resize(robots_);
+  resting_.assign(robots_, 0);
   for (std::size_t i = 0; i < robots_; ++i) {
     percepts_[i].robot = RobotId{static_cast<std::uint16_t>(i + 1)};
   }
@@ -120,7 +121,7 @@ void Stage::drive_robots(std::span<const Command> commands) {
   for (const Command& command : commands) {
     assert(command.robot.value >= 1 && command.robot.value <= robots_);
     const std::size_t robot = command.robot.value - 1u;
-    if (able(robot)) {
+    if (able(robot) && resting_[robot] == 0) {
       wanted_[robot] = command;
     }
   }
@@ -193,7 +194,7 @@ Collision Stage::collision(const Contact& contact) const {
 }
 
 void Stage::look() {
-  const Scene scene{places_m_, headings_, looks_, &grid_, landmark_, things_};
+  const Scene scene{places_m_, headings_, looks_, &grid_, landmarks_, things_};
   for (std::size_t i = 0; i < robots_; ++i) {
     Percept& percept = percepts_[i];
     percept.tick = tick_;
@@ -244,9 +245,15 @@ void Stage::show(WorldView& out) const {
   out.robots.clear();
   out.enemies.clear();
   out.mines.clear();
+  out.objects.clear();
   for (std::size_t i = 0; i < robots_; ++i) {
-    out.robots.push_back(
-        {id_of(i), {places_m_[i], headings_[i]}, velocities_mps_[i], true, able(i), holding(i)});
+    out.robots.push_back({id_of(i),
+                          {places_m_[i], headings_[i]},
+                          velocities_mps_[i],
+                          true,
+                          able(i),
+                          holding(i),
+                          looks_[i].colour});
   }
   for (std::size_t k = 0; k < visitors_.size(); ++k) {
     out.enemies.push_back({visitors_[k].id, visitors_[k].kind, visitor_place_m(k)});

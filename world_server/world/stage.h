@@ -42,15 +42,18 @@ class Stage {
   [[nodiscard]] const Terrain& terrain() const { return terrain_; }
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
   [[nodiscard]] Tick tick() const { return tick_; }
-  [[nodiscard]] const WorldVec& focus_m() const { return landmark_.place_m; }
+  [[nodiscard]] const WorldVec& focus_m() const { return focus_m_; }
 
   [[nodiscard]] std::size_t robots() const { return robots_; }
   [[nodiscard]] RobotId id_of(std::size_t robot) const { return percepts_[robot].robot; }
   [[nodiscard]] const WorldVec& place_m(std::size_t robot) const { return places_m_[robot]; }
   [[nodiscard]] bool able(std::size_t robot) const { return percepts_[robot].able; }
   [[nodiscard]] bool holding(std::size_t robot) const { return percepts_[robot].holding; }
-  /// What it does in this step beside moving; nothing when it was disabled before.
+  /// What it does in this step beside moving; nothing when it was disabled or rested before.
   [[nodiscard]] Act act(std::size_t robot) const { return wanted_[robot].act; }
+  /// What it wants in this step; nothing when it was disabled or rested before.
+  [[nodiscard]] const Command& wanted(std::size_t robot) const { return wanted_[robot]; }
+  [[nodiscard]] const Heading& heading(std::size_t robot) const { return headings_[robot]; }
   /// The nearest robot for which `fits(robot)` holds, at most `range_m` from `place_m`, the lowest
   /// id on a tie; `kNobody` when there is none.
   template <class Fits>
@@ -61,17 +64,27 @@ class Stage {
     return places_m_[robots_ + k];
   }
 
-  /// How the place that the mission is about looks.
-  void show_focus(const Look& look) { landmark_.look = look; }
+  /// Lets the place that the mission is about be seen, and how.
+  void show_focus(const Look& look) { landmarks_ = {{focus_m_, look}}; }
+  /// Lets these be seen and no other landmarks.
+  void show_landmarks(std::span<const Landmark> landmarks) {
+    landmarks_.assign(landmarks.begin(), landmarks.end());
+  }
   /// Things that lie in the field and look like `look`; `where` is read at every look.
   void show_things(const BodyGrid& where, const Look& look) { things_ = {&where, look}; }
 
   void report(const Happening& what) { events_.push_back({tick_, what}); }
+  /// To be filled in by the mission with what only it knows of, after the look.
+  [[nodiscard]] Percept& percept(std::size_t robot) { return percepts_[robot]; }
   [[nodiscard]] Deeds& deeds(std::size_t robot) { return percepts_[robot].deeds; }
   void set_holding(std::size_t robot, bool holding) { percepts_[robot].holding = holding; }
   /// Stops the robot where it is until it is revived, and says so; nobody can push it along.
   void disable(std::size_t robot, Mishap by);
   void revive(std::size_t robot, RobotId by);
+  /// How the robot looks from now on.
+  void paint(std::size_t robot, const Look& look) { looks_[robot] = look; }
+  /// From now on the robot does nothing, whatever it wants.
+  void rest(std::size_t robot) { resting_[robot] = 1; }
 
   /// Brings a visitor in, and says so.
   void enter(const Visitor& visitor, const WorldVec& place_m, double radius_m);
@@ -109,7 +122,8 @@ class Stage {
   BodyGrid grid_;
   Senses senses_;
   ContactLog contact_log_;
-  Landmark landmark_;
+  WorldVec focus_m_;
+  std::vector<Landmark> landmarks_;
   Things things_;
   std::size_t robots_;
   Tick tick_ = 0;
@@ -120,7 +134,8 @@ class Stage {
   std::vector<WorldVec> places_m_;
   std::vector<WorldVec> velocities_mps_;
   std::vector<Look> looks_;
-  std::vector<Heading> headings_;  ///< Robots only.
+  std::vector<Heading> headings_;      ///< Robots only.
+  std::vector<std::uint8_t> resting_;  ///< Robots only.
   std::vector<Percept> percepts_;
   std::vector<Command> wanted_;
   std::vector<Contact> robot_contacts_;

@@ -135,10 +135,44 @@ std::vector<WorldPose> gathered(const WorldConfig& config, const Terrain& terrai
   return poses;
 }
 
+/// What is wrong with the place of the robot that comes after `others`; empty when nothing is.
+std::string flaw_of(const WorldVec& p, const WorldConfig& config, const Terrain& terrain,
+                    const std::vector<WorldPose>& others) {
+  const double r = config.robots.radius_m;
+  if (!(p.x() >= r && p.y() >= r && p.x() <= terrain.width_m - r &&
+        p.y() <= terrain.height_m - r)) {
+    return "it is outside the area of " + std::to_string(terrain.width_m) + " m by " +
+           std::to_string(terrain.height_m) + " m, or too near its border";
+  }
+  if (!free_of_terrain(p, r, terrain)) {
+    return "a wall or an obstacle is there";
+  }
+  return free_of_robots(p, r, others) ? "" : "another robot before it is there";
+}
+
+std::vector<WorldPose> as_told(const WorldConfig& config, const Terrain& terrain) {
+  const WorldVec shift{config.operation.shift_x_m, config.operation.shift_y_m};
+  std::vector<WorldPose> poses;
+  for (const std::vector<double>& row : config.operation.script.starts) {
+    const WorldPose pose{WorldVec{row[0], row[1]} + shift, Heading::from_rad(row[2] * kPi / 180.0)};
+    const std::string flaw = flaw_of(pose.position_m, config, terrain, poses);
+    if (!flaw.empty()) {
+      throw ConfigError("[operation] starts: robot " + std::to_string(poses.size() + 1) + " at " +
+                        std::to_string(row[0]) + ", " + std::to_string(row[1]) + ": " + flaw +
+                        "; wanted a free place");
+    }
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
 }  // namespace
 
 std::vector<WorldPose> start_poses(const WorldConfig& config, const Terrain& terrain,
                                    std::uint64_t seed) {
+  if (config.mission == MissionKind::Operation) {
+    return as_told(config, terrain);
+  }
   if (config.robots.start == "gathered") {
     return gathered(config, terrain);
   }

@@ -24,6 +24,22 @@ bool near_focus(const Disc& disc, const WorldConfig& config) {
   return (disc.centre_m - centre).norm() < config.obstacles.keep_free_m + disc.radius_m;
 }
 
+bool near_start(const Disc& disc, const WorldConfig& config) {
+  const OperationConfig& operation = config.operation;
+  const WorldVec shift{operation.shift_x_m, operation.shift_y_m};
+  const double free_m = config.obstacles.keep_free_m + disc.radius_m;
+  const auto& starts = operation.script.starts;
+  return std::any_of(starts.begin(), starts.end(), [&](const std::vector<double>& row) {
+    return (disc.centre_m - shift - WorldVec{row[0], row[1]}).norm() < free_m;
+  });
+}
+
+// The team needs room where it begins.
+bool near_team(const Disc& disc, const WorldConfig& config) {
+  return config.mission == MissionKind::Operation ? near_start(disc, config)
+                                                  : near_focus(disc, config);
+}
+
 // Mines at given places must stay within a robot's reach.
 bool near_given_mine(const Disc& disc, const WorldConfig& config) {
   const auto& places = config.forage.mines.places;
@@ -48,7 +64,7 @@ std::optional<Disc> place_disc(const WorldConfig& config, const Terrain& terrain
     const double y = r + (terrain.height_m - 2.0 * r) * chance.uniform();
     const Disc disc{{x, y}, r};
     const bool fits = 2.0 * r <= std::min(terrain.width_m, terrain.height_m);
-    if (fits && !near_focus(disc, config) && !near_given_mine(disc, config) &&
+    if (fits && !near_team(disc, config) && !near_given_mine(disc, config) &&
         !overlaps(disc, terrain.obstacles) && !near_wall(disc, terrain.walls)) {
       return disc;
     }

@@ -31,7 +31,8 @@ struct Terrain {
 
 /// Lays out the area: the given walls and discs, then random discs until the wanted share of the
 /// area is covered. Random discs lie whole inside the area, do not overlap one another or a given
-/// disc, and leave the surroundings of the target or base and of given mines free.
+/// disc, and leave the surroundings of the target or base, of an operation's starts and of given
+/// mines free.
 ///
 /// Throws ConfigError when the coverage cannot be reached (1000 misses in a row).
 [[nodiscard]] Terrain make_terrain(const WorldConfig& config, std::uint64_t seed);

@@ -6,24 +6,27 @@
 
 #include "world_server/world/missions/forage.h"
 #include "world_server/world/missions/guard.h"
+#include "world_server/world/missions/operation.h"
+#include "world_server/world/missions/operation_map.h"
 #include "world_server/world/stage.h"
 
 namespace tacit {
 namespace {
 
-WorldConfig checked(const WorldConfig& config) {
+WorldConfig checked(WorldConfig config, const MapPlan& plan) {
+  take_ground(plan, config);
   check(config);
   return config;
 }
 
-std::unique_ptr<Mission> make_mission(Stage& stage) {
+std::unique_ptr<Mission> make_mission(Stage& stage, const MapPlan& plan) {
   switch (stage.config().mission) {
     case MissionKind::Guard:
       return std::make_unique<Guard>(stage);
     case MissionKind::Forage:
       return std::make_unique<Forage>(stage);
     case MissionKind::Operation:
-      break;
+      return std::make_unique<Operation>(stage, plan);
   }
   std::abort();
 }
@@ -33,9 +36,7 @@ std::unique_ptr<Mission> make_mission(Stage& stage) {
 class World::Impl {
  public:
   Impl(const WorldConfig& config, std::uint64_t seed)
-      : stage_(checked(config), seed), mission_(make_mission(stage_)) {
-    stage_.look();
-  }
+      : Impl(config, seed, operation_plan(config)) {}
 
   std::span<const Event> step(std::span<const Command> commands) {
     assert(!mission_->over());
@@ -47,10 +48,12 @@ class World::Impl {
     done(WorldPhase::Motion);
     settle();
     done(WorldPhase::Rules);
-    stage_.look();
+    look();
     done(WorldPhase::Sensing);
     return stage_.events();
   }
+
+  bool operate(const Control& control) { return mission_->hear(control); }
 
   [[nodiscard]] const Stage& stage() const { return stage_; }
   [[nodiscard]] bool over() const { return mission_->over(); }
@@ -70,6 +73,16 @@ class World::Impl {
   void on_phase(std::function<void(WorldPhase)> observer) { observer_ = std::move(observer); }
 
  private:
+  Impl(const WorldConfig& config, std::uint64_t seed, const MapPlan& plan)
+      : stage_(checked(config, plan), seed), mission_(make_mission(stage_, plan)) {
+    look();
+  }
+
+  void look() {
+    stage_.look();
+    mission_->perceive(stage_);
+  }
+
   void settle() {
     mission_->settle(stage_);
     stage_.count_tick();
@@ -101,6 +114,7 @@ std::span<const Percept> World::percepts() const { return impl_->stage().percept
 std::span<const Event> World::step(std::span<const Command> commands) {
   return impl_->step(commands);
 }
+bool World::operate(const Control& control) { return impl_->operate(control); }
 bool World::over() const { return impl_->over(); }
 std::uint64_t World::digest() const { return impl_->digest(); }
 void World::view(WorldView& out) const { impl_->view(out); }

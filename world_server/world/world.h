@@ -8,6 +8,7 @@
 #include "idl/types/command.h"
 #include "idl/types/event.h"
 #include "idl/types/percept.h"
+#include "idl/types/roster.h"
 #include "idl/types/world_view.h"
 #include "world_server/world/world_config.h"
 
@@ -27,7 +28,8 @@ enum class WorldPhase : std::uint8_t {
 /// seed and commands have the same history, bit for bit.
 class World {
  public:
-  /// Throws ConfigError when the scenario cannot be placed (obstacles that do not fit, …).
+  /// Throws ConfigError when the scenario cannot be placed (obstacles that do not fit, a map with
+  /// errors, …).
   World(const WorldConfig& config, std::uint64_t seed);
   ~World();
   World(World&&) noexcept;
@@ -42,6 +44,11 @@ class World {
   /// One tick on; not when the mission is over. `commands` holds at most one command per robot, in
   /// any order; a robot without one stands still. Returns what happened, valid until the next step.
   std::span<const Event> step(std::span<const Command> commands);
+
+  /// What an operator tells one robot or all of the team: to be done in the next step, whose events
+  /// and percepts show it. False, and nothing done, when it is no operator's word, when there is no
+  /// such robot, or when the mission has no operator.
+  bool operate(const Control& control);
 
   /// Whether the mission has come to its end, as its last event said; a guard has none.
   [[nodiscard]] bool over() const;

@@ -43,23 +43,31 @@ void describe_obstacles(ObstacleConfig& obstacles, ParameterVisitor& v) {
   v.number("max_radius_m", obstacles.max_radius_m, {0.01, 1000}, {"m", "Largest. [paper]"});
   v.number("keep_free_m", obstacles.keep_free_m, {0, 100000},
            {"m",
-            "No obstacle reaches nearer to the target or the base than this. [ours: room for the "
-            "team]"});
+            "No obstacle placed by chance reaches nearer to the target, the base or an operation's "
+            "starts than this. [ours: room for the team]"});
   v.integer("seed", obstacles.seed, {0, 9e15},
             {"", "Seed of the field alone; 0 follows the run's seed. [MissionLab]"});
   v.rows("discs", obstacles.discs, kDiscColumns, {-1e5, 1e5},
          {"m", "Obstacles at given places, beside those placed by chance. [MissionLab]"});
 }
 
-void describe_robots(RobotConfig& robots, ParameterVisitor& v) {
-  v.section("robots", "The team's bodies.");
-  v.integer("count", robots.count, {1, 10000}, {"", "Size of the team. [paper: 1, 2, 3, 6]"});
+void describe_start(RobotConfig& robots, ParameterVisitor& v) {
   v.choice("start", robots.start, kStarts,
            {"",
             "On a ring round the target or the base, scattered over the area, or gathered as near "
             "the target or the base as there is room. [ours]"});
   v.number("ring_radius_m", robots.ring_radius_m, {0, 100000},
            {"m", "Radius of the starting ring. [ours]"});
+}
+
+// In an operation every robot has a start of its own.
+void describe_robots(WorldConfig& config, ParameterVisitor& v) {
+  RobotConfig& robots = config.robots;
+  v.section("robots", "The team's bodies.");
+  v.integer("count", robots.count, {1, 10000}, {"", "Size of the team. [paper: 1, 2, 3, 6]"});
+  if (config.mission != MissionKind::Operation) {
+    describe_start(robots, v);
+  }
   v.number("radius_m", robots.radius_m, {0.01, 100}, {"m", "Body radius. [MissionLab]"});
   v.number("max_speed_mps", robots.max_speed_mps, {0.001, 1000},
            {"m/s", "What the wheels can do. [ours]"});
@@ -133,31 +141,30 @@ void describe_physics(PhysicsConfig& physics, ParameterVisitor& v) {
             {"ticks", "Distance between checkpoints in the event log. [ours]"});
 }
 
-}  // namespace
-
-void describe(WorldConfig& config, ParameterVisitor& visitor) {
-  const bool guard = config.mission == MissionKind::Guard;
-  describe_area(config.area, visitor);
-  if (guard) {
-    describe_target(config.target, visitor);
-  }
-  describe_obstacles(config.obstacles, visitor);
-  describe_robots(config.robots, visitor);
-  describe_sight(config.sight, visitor);
-  if (guard) {
-    describe_enemies(config.enemies, visitor);
-  } else {
-    describe(config.forage, visitor);
-  }
-  describe_physics(config.physics, visitor);
+void check_focus(const WorldConfig& config, const std::string& section) {
+  const FocusPoint middle = focus(config);
+  const double ring_m = config.robots.ring_radius_m;
+  refuse(!config.area.holds(middle.x_m, middle.y_m),
+         section + " x_m, y_m lie outside the area; wanted a point in it");
+  refuse(config.robots.start == "ring" &&
+             !(config.area.holds(middle.x_m - ring_m, middle.y_m - ring_m) &&
+               config.area.holds(middle.x_m + ring_m, middle.y_m + ring_m)),
+         "[robots] ring_radius_m reaches outside the area; wanted the whole ring in it");
 }
 
-WorldConfig world_defaults(MissionKind mission) {
-  WorldConfig config;
-  config.mission = mission;
-  if (mission == MissionKind::Guard) {
-    return config;
+void check_terrain(const WorldConfig& config) {
+  for (const auto& wall : config.area.walls) {
+    refuse(!config.area.holds(wall[0], wall[1]) || !config.area.holds(wall[2], wall[3]),
+           "[area] walls holds a point outside the area; wanted all inside");
   }
+  for (const auto& disc : config.obstacles.discs) {
+    refuse(disc[2] <= 0, "[obstacles] discs holds a radius that is not positive; wanted r > 0");
+    refuse(!config.area.holds(disc[0], disc[1]),
+           "[obstacles] discs holds a centre outside the area; wanted all inside");
+  }
+}
+
+void settle_for_forage(WorldConfig& config) {
   config.area.width_m = 60.0;
   config.area.height_m = 60.0;
   config.obstacles = {0.0, 0.5, 2.0, 4.0, 0, {}};
@@ -168,44 +175,89 @@ WorldConfig world_defaults(MissionKind mission) {
   config.physics.tick_s = 1.0;
   config.physics.substeps = 3;
   config.physics.checkpoint_ticks = 1000;
+}
+
+// MissionLab's robots, in buildings: walls hide things, obstacles do not.
+void settle_for_operation(WorldConfig& config) {
+  config.obstacles.coverage_percent = 0.0;
+  config.obstacles.keep_free_m = 2.0;
+  config.robots.radius_m = 0.2;
+  config.robots.max_speed_mps = 1.0;
+  config.sight.range_m = 50.0;
+  config.sight.blocked_by_obstacles = false;
+  config.sight.obstacle_range_m = 5.0;
+}
+
+}  // namespace
+
+void describe(WorldConfig& config, ParameterVisitor& visitor) {
+  describe_area(config.area, visitor);
+  if (config.mission == MissionKind::Guard) {
+    describe_target(config.target, visitor);
+  }
+  describe_obstacles(config.obstacles, visitor);
+  describe_robots(config, visitor);
+  describe_sight(config.sight, visitor);
+  switch (config.mission) {
+    case MissionKind::Guard:
+      describe_enemies(config.enemies, visitor);
+      break;
+    case MissionKind::Forage:
+      describe(config.forage, visitor);
+      break;
+    case MissionKind::Operation:
+      describe(config.operation, visitor);
+      break;
+  }
+  describe_physics(config.physics, visitor);
+}
+
+WorldConfig world_defaults(MissionKind mission) {
+  WorldConfig config;
+  config.mission = mission;
+  switch (mission) {
+    case MissionKind::Guard:
+      break;
+    case MissionKind::Forage:
+      settle_for_forage(config);
+      break;
+    case MissionKind::Operation:
+      settle_for_operation(config);
+      break;
+  }
   return config;
 }
 
 FocusPoint focus(const WorldConfig& config) {
-  return config.mission == MissionKind::Guard
-             ? FocusPoint{config.target.x_m, config.target.y_m}
-             : FocusPoint{config.forage.base.x_m, config.forage.base.y_m};
+  switch (config.mission) {
+    case MissionKind::Guard:
+      return {config.target.x_m, config.target.y_m};
+    case MissionKind::Forage:
+      return {config.forage.base.x_m, config.forage.base.y_m};
+    case MissionKind::Operation:
+      break;
+  }
+  return {config.area.width_m / 2.0, config.area.height_m / 2.0};
 }
 
 void check(const WorldConfig& config) {
-  const FocusPoint middle = focus(config);
-  const bool guard = config.mission == MissionKind::Guard;
   refuse(config.obstacles.min_radius_m > config.obstacles.max_radius_m,
          "[obstacles] min_radius_m is larger than max_radius_m; wanted min <= max");
-  refuse(!config.area.holds(middle.x_m, middle.y_m),
-         std::string(guard ? "[target]" : "[base]") +
-             " x_m, y_m lie outside the area; wanted a point in it");
-  refuse(config.robots.start == "ring" &&
-             !(config.area.holds(middle.x_m - config.robots.ring_radius_m,
-                                 middle.y_m - config.robots.ring_radius_m) &&
-               config.area.holds(middle.x_m + config.robots.ring_radius_m,
-                                 middle.y_m + config.robots.ring_radius_m)),
-         "[robots] ring_radius_m reaches outside the area; wanted the whole ring in it");
-  if (guard) {
-    refuse(config.enemies.avoid_margin_m >= config.enemies.avoid_reach_m,
-           "[enemies] avoid_margin_m is not below avoid_reach_m; wanted margin < reach");
-  } else {
-    check(config.forage, config.area);
+  switch (config.mission) {
+    case MissionKind::Guard:
+      check_focus(config, "[target]");
+      refuse(config.enemies.avoid_margin_m >= config.enemies.avoid_reach_m,
+             "[enemies] avoid_margin_m is not below avoid_reach_m; wanted margin < reach");
+      break;
+    case MissionKind::Forage:
+      check_focus(config, "[base]");
+      check(config.forage, config.area);
+      break;
+    case MissionKind::Operation:
+      check(config.operation, config.robots.count);
+      break;
   }
-  for (const auto& wall : config.area.walls) {
-    refuse(!config.area.holds(wall[0], wall[1]) || !config.area.holds(wall[2], wall[3]),
-           "[area] walls holds a point outside the area; wanted all inside");
-  }
-  for (const auto& disc : config.obstacles.discs) {
-    refuse(disc[2] <= 0, "[obstacles] discs holds a radius that is not positive; wanted r > 0");
-    refuse(!config.area.holds(disc[0], disc[1]),
-           "[obstacles] discs holds a centre outside the area; wanted all inside");
-  }
+  check_terrain(config);
 }
 
 }  // namespace tacit

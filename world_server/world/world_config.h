@@ -7,6 +7,7 @@
 #include "idl/types/mission_kind.h"
 #include "idl/types/parameters.h"
 #include "world_server/world/forage_config.h"
+#include "world_server/world/operation_config.h"
 
 namespace tacit {
 
@@ -85,8 +86,8 @@ struct PhysicsConfig {
   std::int64_t checkpoint_ticks = 100;
 };
 
-/// Everything a world is made from, beside its seed. Of `target` and `enemies` on the one hand and
-/// `forage` on the other, only what the mission is about counts.
+/// Everything a world is made from, beside its seed. Of `target` and `enemies`, of `forage` and of
+/// `operation`, only what the mission is about counts.
 struct WorldConfig {
   MissionKind mission = MissionKind::Guard;
   AreaConfig area;
@@ -96,13 +97,15 @@ struct WorldConfig {
   SightConfig sight;
   EnemyConfig enemies;
   ForageConfig forage;
+  OperationConfig operation;
   PhysicsConfig physics;
 };
 
 /// The defaults for a mission.
 [[nodiscard]] WorldConfig world_defaults(MissionKind mission);
 
-/// The place that the mission is about: the target to guard, or the base.
+/// The place that the mission is about: the target to guard, or the base; the middle of the area
+/// in an operation, which is about no one place.
 struct FocusPoint {
   double x_m = 0.0;
   double y_m = 0.0;

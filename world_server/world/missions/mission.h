@@ -1,5 +1,6 @@
 #pragma once
 
+#include "idl/types/roster.h"
 #include "idl/types/world_view.h"
 #include "world_server/world/digest.h"
 #include "world_server/world/stage.h"
@@ -9,7 +10,7 @@ namespace tacit {
 /// The rules of a mission: who comes and goes, what robots bring about beside moving, when it ends.
 ///
 /// A step from one tick to the next asks for `set_out`, moves the bodies, asks for `settle`, counts
-/// the tick and asks for `conclude`.
+/// the tick, asks for `conclude` and, when the robots have looked around, for `perceive`.
 class Mission {
  public:
   Mission() = default;
@@ -23,6 +24,11 @@ class Mission {
   virtual void settle(Stage& stage) = 0;
   /// At the new tick, after its checkpoint: the last event of the step, if any.
   virtual void conclude(Stage& /*stage*/) {}
+
+  /// What robots perceive beside what their eyes show; also before the first step.
+  virtual void perceive(Stage& /*stage*/) {}
+  /// What an operator tells, for the next step; false when it is nothing to this mission.
+  virtual bool hear(const Control& /*control*/) { return false; }
 
   /// Whether the mission has come to its end.
   [[nodiscard]] virtual bool over() const { return false; }

@@ -59,9 +59,11 @@ void Senses::sense(const Scene& scene, std::size_t robot, Percept& out) {
   out.obstacles.clear();
   line_of_sight_.look_from(scene.places_m[robot]);
   const Eye eye{scene.places_m[robot], scene.headings[robot], panoramic_ && line_of_sight_.open()};
-  const WorldVec to_landmark = scene.landmark.place_m - eye.place_m;
-  if (to_landmark.squared_norm() <= range2_m2_) {
-    see(eye, to_landmark, scene.landmark.look, out);
+  for (const Landmark& landmark : scene.landmarks) {
+    const WorldVec to_landmark = landmark.place_m - eye.place_m;
+    if (to_landmark.squared_norm() <= range2_m2_) {
+      see(eye, to_landmark, landmark.look, out);
+    }
   }
   see_bodies(scene, robot, eye, out);
   if (scene.things.grid != nullptr) {

@@ -39,14 +39,14 @@ struct Scene {
   std::span<const Heading> headings;   ///< Of the robots.
   std::span<const Look> looks;         ///< Of the bodies.
   const BodyGrid* grid = nullptr;      ///< Over `places_m`.
-  Landmark landmark;
+  std::span<const Landmark> landmarks;
   Things things;
 };
 
 /// Turns the world's state into what each robot's sensors deliver.
 ///
-/// Things are recognised within range, field of view and line of sight; the landmark counts as
-/// seen like any other thing. Obstacles are ranged when their surface is near enough; they do not
+/// Things are recognised within range, field of view and line of sight; landmarks count as seen
+/// like any other thing. Obstacles are ranged when their surface is near enough; they do not
 /// hide one another. Robots and enemies are too small to hide anything.
 class Senses {
  public:
