@@ -1,5 +1,6 @@
 #include "world_server/map/take_map.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -9,6 +10,7 @@
 #include "idl/overlay/ground.h"
 #include "idl/overlay/reader.h"
 #include "idl/types/config_error.h"
+#include "world_server/world/missions/operation_map.h"
 
 namespace tacit {
 namespace {
@@ -118,9 +120,39 @@ class Taker {
   const ScenarioFile& scenario_;
 };
 
+/// The map alone says how large an operation's area is; who named the map knows nothing better.
+void refuse_other_size(const char* key, double wanted_m, double map_m, bool free) {
+  if (!free && wanted_m != map_m) {
+    throw ConfigError(std::string("[area] ") + key + ": found " + std::to_string(wanted_m) +
+                      ", wanted " + std::to_string(map_m) +
+                      " m as the operation's map says, or nothing");
+  }
+}
+
+void take_operation_map(WorldConfig& world, const ScenarioFile& file) {
+  std::string& text = world.operation.script.map;
+  const Given map_given = std::max(file.given(kKey), file.given("operation.map"));
+  const auto free = [&](const char* path) {
+    return file.given(path) == Given::Nobody || file.given(path) < map_given;
+  };
+  if (!world.area.map.empty()) {
+    const fs::path path = file_of(world.area.map, file);
+    (void)read_map(path);
+    text = text_of(path);
+    world.area.map.clear();
+  }
+  if (text.empty()) return;
+  const MapPlan plan = operation_plan(world);
+  const MapSize& size = plan.ground.size;
+  refuse_other_size("width_m", world.area.width_m, size.width_m, free("area.width_m"));
+  refuse_other_size("height_m", world.area.height_m, size.height_m, free("area.height_m"));
+  take_ground(plan, world);
+}
+
 }  // namespace
 
 void take_map(WorldConfig& world, const ScenarioFile& file) {
+  if (world.mission == MissionKind::Operation) return take_operation_map(world, file);
   if (world.area.map.empty()) return;
   const fs::path path = file_of(world.area.map, file);
   const OverlayMap map = read_map(path);

@@ -14,6 +14,10 @@ namespace tacit {
 /// what that file leaves out, one named on the command line wins over the file as well. In the same
 /// way there are no random obstacles and the robots start gathered, unless somebody says otherwise.
 ///
+/// An operation has its map's text in `world.operation.script.map`, where it stays, since the world
+/// needs all of it; a map that `world.area.map` names is read to there. Its size, walls and discs
+/// are written out all the same; what is there already does not come twice.
+///
 /// A map named in the scenario is looked for beside the file, one named elsewhere in the working
 /// directory. Throws ConfigError when it cannot be read, has errors, or does not fit.
 void take_map(WorldConfig& world, const ScenarioFile& file);
