@@ -39,7 +39,7 @@ struct RecordedMetric {
 struct RunOutcome {
   bool complete = false;           ///< The run reached its end and every event of it is recorded.
   std::string incomplete_because;  ///< Empty when complete.
-  bool repeatable = false;         ///< No robot was lost or late.
+  bool repeatable = false;         ///< No robot was lost or late, no operator acted.
   Tick ticks = 0;
   std::uint64_t events = 0;
   double wall_s = 0.0;

@@ -36,7 +36,9 @@ std::string summary_text(const RunDirectory& directory, const RunOutcome& outcom
     text += "\nThe run is incomplete: " + outcome.incomplete_because + '.';
   }
   if (!outcome.repeatable) {
-    text += "\nA robot was lost or late: the run cannot be made again bit for bit.";
+    text +=
+        "\nA robot was lost or late, or an operator acted: the run cannot be made again bit for "
+        "bit.";
   }
   return text;
 }

@@ -38,7 +38,8 @@ std::string objection(const RunDirectory& directory) {
     return "The run is incomplete: " + outcome->incomplete_because + '.';
   }
   if (!outcome->repeatable) {
-    return "The run is marked as not repeatable: a robot was lost or late.";
+    return "The run is marked as not repeatable: a robot was lost or late, or an operator "
+           "acted.";
   }
   if (sha256_of_file(directory.events_file()) != outcome->event_log_sha256) {
     return "events.jsonl does not have the hash that metrics.json names: a file has been changed.";

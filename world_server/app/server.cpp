@@ -210,6 +210,8 @@ void Server::read_mail() {
   for (const Hello& hello : hellos_.collect()) note(attendance_.hear(hello));
   for (const Control& control : controls_.collect()) {
     pace_.hear(control);
+    // What a person does is in no scenario, so the run cannot be made again from one.
+    if (world_.operate(control)) status_.repeatable = false;
     if (begun_) tell_status(phase());
   }
 }
