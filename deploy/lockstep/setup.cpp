@@ -35,6 +35,7 @@ Setup read_setup(ScenarioFile& file) {
   file.fill(setup);
   file.refuse_unknown_sections();
   take_map(setup.world, file);
+  setup.brain.script = setup.world.operation.script;
   check(setup.world);
   check(setup.brain);
   return setup;

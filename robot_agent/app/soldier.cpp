@@ -13,6 +13,7 @@ Soldier read_soldier(const std::filesystem::path& file) {
   scenario.fill(run);
   soldier.brain = brain_defaults(mission_kind(run));
   scenario.fill(soldier.brain);
+  if (soldier.brain.mission == MissionKind::Operation) scenario.fill(soldier.brain.script);
   check(soldier.brain);
   soldier.seed = static_cast<std::uint64_t>(run.seed);
   soldier.digest = scenario_digest(file);

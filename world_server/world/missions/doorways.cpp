@@ -18,23 +18,36 @@ bool lies_in(const PlanDoor& gap, const PlanDoor& door) {
   return (nearest_point(opening, middle) - middle).norm() <= kDoorReach_m;
 }
 
+/// Whether there is a room on one of its sides, a hand's breadth behind the wall.
+bool leads_into_a_room(const PlanDoor& door, const MapPlan& plan) {
+  const WorldVec along = unit(place_of(door.to) - place_of(door.from));
+  const WorldVec aside = 0.2 * WorldVec{-along.y(), along.x()};
+  const auto in_room = [&plan](const WorldVec& p) {
+    return room_at(plan.rooms, {p.x(), p.y()}).has_value();
+  };
+  return in_room(middle_of(door) + aside) || in_room(middle_of(door) - aside);
+}
+
 }  // namespace
 
 Doorways::Doorways(const MapPlan& plan, Doors doors) {
   if (doors == Doors::Open) {
-    std::for_each(plan.doors.begin(), plan.doors.end(), [&](const PlanDoor& door) { add(door); });
+    std::for_each(plan.doors.begin(), plan.doors.end(), [&](const PlanDoor& door) { add(door, plan); });
   }
   for (const PlanDoor& gap : plan.gaps) {
     const bool known = doors == Doors::Open &&
                        std::any_of(plan.doors.begin(), plan.doors.end(),
                                    [&gap](const PlanDoor& door) { return lies_in(gap, door); });
     if (!known) {
-      add(gap);
+      add(gap, plan);
     }
   }
 }
 
-void Doorways::add(const PlanDoor& door) {
+void Doorways::add(const PlanDoor& door, const MapPlan& plan) {
+  if (!leads_into_a_room(door, plan)) {
+    return;
+  }
   const WorldVec middle = middle_of(door);
   doorways_.push_back({middle, place_of(door.to) - middle});
 }

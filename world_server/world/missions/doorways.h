@@ -12,8 +12,9 @@
 
 namespace tacit {
 
-/// The ways through a map's walls, numbered from 1: its doors, unless they are closed, then its
-/// gaps, each in the map's order. A gap in a door is that door. Everybody sees the marks on them.
+/// The ways into a map's rooms, numbered from 1: its doors, unless they are closed, then its gaps,
+/// each in the map's order. A gap in a door is that door; an opening without a room on either side
+/// is none. Everybody sees the marks on them.
 class Doorways {
  public:
   Doorways(const MapPlan& plan, Doors doors);
@@ -34,7 +35,7 @@ class Doorways {
     WorldVec jamb_m;  ///< From the middle.
     bool marked = false;
   };
-  void add(const PlanDoor& door);
+  void add(const PlanDoor& door, const MapPlan& plan);
 
   std::vector<Doorway> doorways_;
   std::vector<std::pair<double, std::size_t>> seen_;  ///< Scratch, kept for its memory.
