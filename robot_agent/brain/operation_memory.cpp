@@ -53,13 +53,22 @@ bool take_place(Words& words, std::string_view key, std::optional<OdometryVec>& 
   return words.end_of_line();
 }
 
+std::optional<OdometryVec> middle_of(const std::optional<Entrance>& entrance) {
+  return entrance ? std::optional(entrance->middle_m) : std::nullopt;
+}
+
+std::optional<OdometryVec> inwards_of(const std::optional<Entrance>& entrance) {
+  return entrance ? std::optional(entrance->inwards) : std::nullopt;
+}
+
 }  // namespace
 
 std::string to_text(const OperationStand& stand) {
   std::string text = std::string(kHead) + "\nbegun " + (stand.begun ? "1" : "0") + "\n" +
                      place_line("home", stand.perception.home_m) +
                      place_line("course", stand.perception.course) +
-                     place_line("entrance", stand.perception.entrance_m) + "record";
+                     place_line("entrance", middle_of(stand.perception.entrance)) +
+                     place_line("inwards", inwards_of(stand.perception.entrance)) + "record";
   for (const double value : stand.record.values()) text += " " + json_number(value);
   return text + "\n";
 }
@@ -72,10 +81,14 @@ std::optional<OperationStand> parse_operation_stand(std::string_view text) {
   if (!begun || (*begun != 0.0 && *begun != 1.0) || !words.end_of_line()) return std::nullopt;
   stand.begun = *begun == 1.0;
   OperationPerception::Memory& seen = stand.perception;
+  std::optional<OdometryVec> middle_m;
+  std::optional<OdometryVec> inwards;
   if (!take_place(words, "home", seen.home_m) || !take_place(words, "course", seen.course) ||
-      !take_place(words, "entrance", seen.entrance_m) || !words.line("record")) {
+      !take_place(words, "entrance", middle_m) || !take_place(words, "inwards", inwards) ||
+      middle_m.has_value() != inwards.has_value() || !words.line("record")) {
     return std::nullopt;
   }
+  if (middle_m) seen.entrance = {*middle_m, *inwards};
   while (const auto value = words.number()) stand.record.add(*value);
   if (!words.end_of_line() || !words.at_end()) return std::nullopt;
   return stand;

@@ -164,7 +164,12 @@ void OperationPerception::follow_rooms(Site site) {
         return a.offset_m.squared_norm() < b.offset_m.squared_norm();
       });
   const OdometryPose& own = around_.odometry;
-  here.entrance_m = own.position_m + from_body<OdometryFrame>(own.heading, nearest->offset_m);
+  const OdometryVec moved_m = track_.empty() ? OdometryVec{} : own.position_m - track_.front();
+  OdometryVec inwards = from_body<OdometryFrame>(
+      own.heading, unit(BodyVec{-nearest->jamb_m.y(), nearest->jamb_m.x()}));
+  if (inwards.dot(moved_m) < 0.0) inwards = -inwards;
+  here.entrance = {own.position_m + from_body<OdometryFrame>(own.heading, nearest->offset_m),
+                   inwards};
 }
 
 void OperationPerception::listen(const Percept& percept) {
@@ -186,13 +191,13 @@ void OperationPerception::remember_way() {
 }
 
 OperationPerception::Memory OperationPerception::memory() const {
-  return {home_.place_m(), around_.premises.course, around_.premises.entrance_m};
+  return {home_.place_m(), around_.premises.course, around_.premises.entrance};
 }
 
 void OperationPerception::resume(const Memory& memory) {
   home_.resume(memory.home_m);
   around_.premises.course = memory.course;
-  around_.premises.entrance_m = memory.entrance_m;
+  around_.premises.entrance = memory.entrance;
 }
 
 }  // namespace tacit

@@ -26,7 +26,7 @@ class OperationPerception {
   struct Memory {
     std::optional<OdometryVec> home_m;
     std::optional<OdometryVec> course;
-    std::optional<OdometryVec> entrance_m;
+    std::optional<Entrance> entrance;
   };
 
   /// `start` is where the robot was told that it starts.

@@ -10,6 +10,12 @@
 
 namespace tacit {
 
+/// A doorway into a room.
+struct Entrance {
+  OdometryVec middle_m;
+  OdometryVec inwards;  ///< Across the doorway into the room, length 1.
+};
+
 /// Where a robot of an operation is and what it has been told, made ready for thinking.
 struct Premises {
   /// By dead reckoning from where it was told that it starts.
@@ -19,8 +25,8 @@ struct Premises {
   std::span<const SeenDoorway> doorways;
   /// The way along a hallway that it last faced, length 1; kept when it leaves the hallway.
   std::optional<OdometryVec> course;
-  /// The middle of the doorway through which it last came into a room.
-  std::optional<OdometryVec> entrance_m;
+  /// The doorway through which it last came into a room.
+  std::optional<Entrance> entrance;
   std::vector<SeenObstacle> friends;  ///< Teammates in sight, working or not.
   std::vector<SeenObstacle> enemies;
   /// What it has heard of late, each once.

@@ -14,8 +14,8 @@ constexpr double kBeforeM = 0.5;
 const SeenDoorway* PassDoorway::pick(const Surroundings& around) const {
   const Premises& here = around.premises;
   BodyVec from;
-  if (config_.leave && here.entrance_m) {
-    from = to_body(around.odometry.heading, *here.entrance_m - around.odometry.position_m);
+  if (config_.leave && here.entrance) {
+    from = to_body(around.odometry.heading, here.entrance->middle_m - around.odometry.position_m);
   }
   const SeenDoorway* best = nullptr;
   double best2 = std::numeric_limits<double>::infinity();
@@ -33,10 +33,31 @@ std::optional<PassDoorway::Passage> PassDoorway::choose(const Surroundings& arou
   const SeenDoorway* doorway = pick(around);
   if (doorway == nullptr) return std::nullopt;
   const OdometryPose& own = around.odometry;
-  BodyVec through = unit(BodyVec{-doorway->jamb_m.y(), doorway->jamb_m.x()});
-  if (through.dot(doorway->offset_m) < 0.0) through = -through;
-  return Passage{own.position_m + from_body<OdometryFrame>(own.heading, doorway->offset_m),
-                 from_body<OdometryFrame>(own.heading, through), doorway->jamb_m.norm()};
+  Passage passage;
+  passage.middle_m = own.position_m + from_body<OdometryFrame>(own.heading, doorway->offset_m);
+  passage.half_width_m = doorway->jamb_m.norm();
+  const BodyVec across = unit(BodyVec{-doorway->jamb_m.y(), doorway->jamb_m.x()});
+  const OdometryVec one_way = from_body<OdometryFrame>(own.heading, across);
+  passage.through = goes(one_way, *doorway, around) ? one_way : -one_way;
+  return passage;
+}
+
+// A robot that stands in the doorway cannot tell its sides by where it stands.
+bool PassDoorway::goes(const OdometryVec& one_way, const SeenDoorway& doorway,
+                       const Surroundings& around) const {
+  const Premises& here = around.premises;
+  const OdometryPose& own = around.odometry;
+  const OdometryVec offset_m = from_body<OdometryFrame>(own.heading, doorway.offset_m);
+  constexpr double kSamePlaceM = 0.5;
+  if (here.entrance && (own.position_m + offset_m - here.entrance->middle_m).norm() < kSamePlaceM) {
+    return (one_way.dot(here.entrance->inwards) > 0.0) != config_.leave;
+  }
+  if (here.hallway) {
+    const OdometryVec to_centre_m = from_body<OdometryFrame>(own.heading, here.hallway->offset_m);
+    // A hallway's centre line is on the other side of the doorway than the room.
+    return (one_way.dot(offset_m - to_centre_m) > 0.0) != config_.leave;
+  }
+  return one_way.dot(offset_m) > 0.0;
 }
 
 BodyVec PassDoorway::push(const Surroundings& around) {

@@ -33,6 +33,9 @@ class PassDoorway final : public Schema {
     double half_width_m = 0.0;
   };
   [[nodiscard]] std::optional<Passage> choose(const Surroundings& around) const;
+  /// Whether the way through `doorway` is `one_way`, and not the opposite.
+  [[nodiscard]] bool goes(const OdometryVec& one_way, const SeenDoorway& doorway,
+                          const Surroundings& around) const;
   [[nodiscard]] const SeenDoorway* pick(const Surroundings& around) const;
 
   Config config_;
