@@ -68,7 +68,8 @@ std::string to_text(const OperationStand& stand) {
                      place_line("home", stand.perception.home_m) +
                      place_line("course", stand.perception.course) +
                      place_line("entrance", middle_of(stand.perception.entrance)) +
-                     place_line("inwards", inwards_of(stand.perception.entrance)) + "record";
+                     place_line("inwards", inwards_of(stand.perception.entrance)) +
+                     place_line("proceeded", stand.proceeded) + "record";
   for (const double value : stand.record.values()) text += " " + json_number(value);
   return text + "\n";
 }
@@ -85,7 +86,8 @@ std::optional<OperationStand> parse_operation_stand(std::string_view text) {
   std::optional<OdometryVec> inwards;
   if (!take_place(words, "home", seen.home_m) || !take_place(words, "course", seen.course) ||
       !take_place(words, "entrance", middle_m) || !take_place(words, "inwards", inwards) ||
-      middle_m.has_value() != inwards.has_value() || !words.line("record")) {
+      middle_m.has_value() != inwards.has_value() ||
+      !take_place(words, "proceeded", stand.proceeded) || !words.line("record")) {
     return std::nullopt;
   }
   if (middle_m) seen.entrance = {*middle_m, *inwards};

@@ -13,7 +13,8 @@ namespace tacit {
 struct OperationStand {
   bool begun = false;
   OperationPerception::Memory perception;
-  Record record;  ///< Of its behaviours.
+  std::optional<OdometryVec> proceeded;  ///< See `Errand`.
+  Record record;                         ///< Of its behaviours.
 };
 
 /// Lines of numbers, in the shortest form that reads back to the same bits.

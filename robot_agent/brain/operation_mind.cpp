@@ -20,7 +20,7 @@ OperationMind::OperationMind(const BrainConfig& config, const Self& self)
     : robot_(self.robot),
       plan_(robot_plan(config.script, self.robot)),
       perception_(start_of(config.script, self.robot)),
-      root_(make_behaviour(plan_.root, config.schemas, self)),
+      root_(make_behaviour(plan_.root, config.schemas, Self{self.robot, self.seed, errand_})),
       actuator_(with_wheels(config.actuator, plan_.wheels)),
       cautious_mps_(plan_.wheels.cautious
                         ? plan_.wheels.cautious_mps.value_or(config.actuator.max_mps)
@@ -66,6 +66,7 @@ std::string OperationMind::policy() const {
   OperationStand stand;
   stand.begun = begun_;
   stand.perception = perception_.memory();
+  stand.proceeded = errand_->proceeded;
   if (begun_) root_->note(stand.record);
   return to_text(stand);
 }
@@ -77,6 +78,7 @@ bool OperationMind::recall(std::string_view memory) {
   if (stand->begun && (!root_->resume(record) || !record.at_end())) return false;
   begun_ = stand->begun;
   perception_.resume(stand->perception);
+  errand_->proceeded = stand->proceeded;
   return true;
 }
 
@@ -88,6 +90,7 @@ void OperationMind::inherit(std::string_view policy, std::string_view name) {
   root_->begin_run();
   begun_ = false;
   perception_.resume({});
+  errand_->proceeded.reset();
 }
 
 }  // namespace tacit

@@ -34,6 +34,7 @@ class OperationMind final : public Mind {
 
   RobotId robot_;
   Tick tick_ = 0;
+  std::shared_ptr<Errand> errand_ = std::make_shared<Errand>();
   RobotPlan plan_;
   OperationPerception perception_;
   std::unique_ptr<Behaviour> root_;

@@ -15,30 +15,31 @@ BodyVec by_course(const SeenHallway& hallway, const OdometryVec& course, const H
   return ahead == ends ? -hallway.along : hallway.along;
 }
 
-BodyVec choose(HallwayWay way, const SeenHallway& hallway, const Surroundings& around) {
+}  // namespace
+
+BodyVec ProceedAlong::choose(const SeenHallway& hallway, const Surroundings& around) const {
   const BodyVec& along = hallway.along;
   const BodyVec facing = along.x() < 0.0 ? -along : along;
   if (facing.x() >= kAlong) return facing;
-  if (way == HallwayWay::Left) return along.y() < 0.0 ? -along : along;
-  if (way == HallwayWay::Right) return along.y() > 0.0 ? -along : along;
-  const auto& course = around.premises.course;
+  if (way_ == HallwayWay::Left) return along.y() < 0.0 ? -along : along;
+  if (way_ == HallwayWay::Right) return along.y() > 0.0 ? -along : along;
+  const auto& course = errand_->proceeded ? errand_->proceeded : around.premises.course;
   return course ? by_course(hallway, *course, around.odometry.heading) : facing;
 }
-
-}  // namespace
 
 BodyVec ProceedAlong::push(const Surroundings& around) {
   const auto& hallway = around.premises.hallway;
   if (!hallway) return {};
   const Heading& heading = around.odometry.heading;
   if (!chosen_) {
-    chosen_ = from_body<OdometryFrame>(heading, choose(way_, *hallway, around));
+    chosen_ = from_body<OdometryFrame>(heading, choose(*hallway, around));
   }
   const BodyVec wanted = to_body(heading, *chosen_);
   const bool ahead = wanted.dot(hallway->along) >= 0.0;
   // The centre line bends, so what was chosen follows it.
   const BodyVec pull = ahead ? hallway->along : -hallway->along;
   chosen_ = from_body<OdometryFrame>(heading, pull);
+  errand_->proceeded = chosen_;
   constexpr double kArrivedM = 0.05;
   return (ahead ? hallway->ahead_m : hallway->behind_m) > kArrivedM ? pull : BodyVec{};
 }

@@ -9,7 +9,7 @@ namespace tacit {
 
 /// Which way along a hallway, seen from a robot in it.
 enum class HallwayWay : std::uint8_t {
-  Facing,  ///< As it faces; across the hallway as it faced along it last, unless it ends there.
+  Facing,  ///< As it faces; across the hallway as it went along it last, unless it ends there.
   Left,    ///< To its left; where it faces along the hallway, as it faces.
   Right,
 };
@@ -25,12 +25,16 @@ class ProceedAlong final : public Schema {
   struct Config {
     HallwayWay way = HallwayWay::Facing;
   };
-  explicit ProceedAlong(const Config& config) : way_(config.way) {}
+  ProceedAlong(const Config& config, const Self& self)
+      : way_(config.way), errand_(self.errand ? self.errand : std::make_shared<Errand>()) {}
   void enter() override { chosen_.reset(); }
   [[nodiscard]] BodyVec push(const Surroundings& around) override;
 
  private:
+  [[nodiscard]] BodyVec choose(const SeenHallway& hallway, const Surroundings& around) const;
+
   HallwayWay way_;
+  std::shared_ptr<Errand> errand_;
   std::optional<OdometryVec> chosen_;
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 #include "idl/types/frames.h"
 #include "idl/types/ids.h"
@@ -8,10 +10,17 @@
 
 namespace tacit {
 
+/// What the behaviours of one robot remember for one another.
+struct Errand {
+  /// The way along a hallway in which it last meant to go, length 1.
+  std::optional<OdometryVec> proceeded;
+};
+
 /// Who a brain is, for what depends on that.
 struct Self {
   RobotId robot;
-  std::uint64_t seed = 0;  ///< Of the run.
+  std::uint64_t seed = 0;                    ///< Of the run.
+  std::shared_ptr<Errand> errand = nullptr;  ///< Of an operation's robot.
 };
 
 /// A primitive behaviour (Arkin's motor schema): where the robot's surroundings push or pull it.
