@@ -26,6 +26,17 @@ TEST(Pace, KeepsThePeriodOfItsSpeed) {
   EXPECT_EQ(pace.next_tick_at(kStart), kStart + milliseconds(50));
 }
 
+TEST(Pace, IsLeftAsItIsByAnOperatorsWords) {
+  Pace pace(2.0, 0.1);
+  pace.began(kStart);
+  for (const ControlKind kind :
+       {ControlKind::Steer, ControlKind::LetGo, ControlKind::Proceed, ControlKind::SkipGoal}) {
+    pace.hear(control(kind));
+  }
+  EXPECT_FALSE(pace.paused() || pace.stopped());
+  EXPECT_EQ(pace.next_tick_at(kStart), kStart + milliseconds(50));
+}
+
 TEST(Pace, MakesUpForALittleLateness) {
   Pace pace(1.0, 0.1);
   pace.began(kStart);

@@ -12,7 +12,8 @@ using Starts = std::vector<std::vector<double>>;
 
 /// 20 m by 12 m. A hallway runs from west to east, 4 m to 6 m from the south, along y = 5. North of
 /// it lie room A, west of x = 10, with door 1 at x 5 to 7, and room B with door 2 at x 13 to 14. A
-/// gap, doorway 3, leads south at x = 16, where it is open.
+/// gap, doorway 3, leads south at x = 16 into room C, which lies east of x = 12; west of it is the
+/// open.
 inline const std::string kFloor =
     "MISSION-AREA 20 12\n"
     "CONTROL MEASURES:\n"
@@ -26,6 +27,7 @@ inline const std::string kFloor =
     "GAP g 16 3.9 16 4.1 1.5\n"
     "ROOM A 0 6 10 6 10 12 0 12\n"
     "ROOM B 10 6 20 6 20 12 10 12\n"
+    "ROOM C 12 0 20 0 20 4 12 4\n"
     "HALLWAY h CENTERLINE 0 5 20 5 WIDTH 2 EXTENTS 0 4 20 4 20 6 0 6\n";
 
 /// On the floor and with `more` on its map, robots that start at rows of x, y, heading.

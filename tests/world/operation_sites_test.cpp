@@ -21,7 +21,7 @@ TEST(Site, IsARoomAHallwayOrTheOpen) {
 }
 
 TEST(Site, IsARoomWhereARoomAndAHallwayOverlap) {
-  EXPECT_EQ(site_at(2.0, 5.0, "ROOM C 0 4 4 4 4 6 0 6\n"), Site::Room);
+  EXPECT_EQ(site_at(2.0, 5.0, "ROOM D 0 4 4 4 4 6 0 6\n"), Site::Room);
 }
 
 TEST(Site, IsToldAtTheStartAndWhereverItChanges) {
@@ -100,8 +100,13 @@ TEST(Doorway, IsOneWhereADoorAndAGapAreTheSame) {
   EXPECT_EQ(field.percept(1).doorways.size(), 3U);
 }
 
+TEST(Doorway, LeadsIntoARoom) {
+  const Field field(on_floor({{8.0, 5.0, 0.0}}, "GAP o 4 3.9 4 4.1 1\n"));
+  EXPECT_EQ(field.percept(1).doorways.size(), 3U);
+}
+
 TEST(Doorway, ThatAreManyAreSeenAsFarAsAPerceptHolds) {
-  std::string many = "WALL far 0 3 20 3\n";
+  std::string many = "WALL far 0 3 20 3\nROOM D 0 3 12 3 12 4 0 4\n";
   for (int i = 0; i < 19; ++i) {
     many += "DOOR m " + std::to_string(i) + ".4 3 " + std::to_string(i) + ".6 3\n";
   }

@@ -1,10 +1,12 @@
 #include "world_server/world/missions/doorways.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "idl/overlay/openings.h"
 #include "world_server/world/missions/operation_map.h"
+#include "world_server/world/missions/sites.h"
 #include "world_server/world/terrain.h"
 
 namespace tacit {
@@ -19,37 +21,37 @@ bool lies_in(const PlanDoor& gap, const PlanDoor& door) {
 }
 
 /// Whether there is a room on one of its sides, a hand's breadth behind the wall.
-bool leads_into_a_room(const PlanDoor& door, const MapPlan& plan) {
+bool leads_into_a_room(const PlanDoor& door, const Sites& sites) {
   const WorldVec along = unit(place_of(door.to) - place_of(door.from));
   const WorldVec aside = 0.2 * WorldVec{-along.y(), along.x()};
-  const auto in_room = [&plan](const WorldVec& p) {
-    return room_at(plan.rooms, {p.x(), p.y()}).has_value();
-  };
-  return in_room(middle_of(door) + aside) || in_room(middle_of(door) - aside);
+  return sites.at(middle_of(door) + aside).site == Site::Room ||
+         sites.at(middle_of(door) - aside).site == Site::Room;
+}
+
+/// The openings that count, in order.
+std::vector<PlanDoor> openings_of(const MapPlan& plan, Doors doors) {
+  if (doors == Doors::Closed) {
+    return plan.gaps;
+  }
+  std::vector<PlanDoor> openings = plan.doors;
+  std::copy_if(plan.gaps.begin(), plan.gaps.end(), std::back_inserter(openings),
+               [&plan](const PlanDoor& gap) {
+                 return std::none_of(plan.doors.begin(), plan.doors.end(),
+                                     [&gap](const PlanDoor& door) { return lies_in(gap, door); });
+               });
+  return openings;
 }
 
 }  // namespace
 
 Doorways::Doorways(const MapPlan& plan, Doors doors) {
-  if (doors == Doors::Open) {
-    std::for_each(plan.doors.begin(), plan.doors.end(), [&](const PlanDoor& door) { add(door, plan); });
-  }
-  for (const PlanDoor& gap : plan.gaps) {
-    const bool known = doors == Doors::Open &&
-                       std::any_of(plan.doors.begin(), plan.doors.end(),
-                                   [&gap](const PlanDoor& door) { return lies_in(gap, door); });
-    if (!known) {
-      add(gap, plan);
+  const Sites sites(plan);
+  for (const PlanDoor& opening : openings_of(plan, doors)) {
+    if (leads_into_a_room(opening, sites)) {
+      const WorldVec middle = middle_of(opening);
+      doorways_.push_back({middle, place_of(opening.to) - middle});
     }
   }
-}
-
-void Doorways::add(const PlanDoor& door, const MapPlan& plan) {
-  if (!leads_into_a_room(door, plan)) {
-    return;
-  }
-  const WorldVec middle = middle_of(door);
-  doorways_.push_back({middle, place_of(door.to) - middle});
 }
 
 void Doorways::see(const WorldPose& eye, const Reach& reach, std::vector<SeenDoorway>& out) {

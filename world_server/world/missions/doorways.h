@@ -35,7 +35,6 @@ class Doorways {
     WorldVec jamb_m;  ///< From the middle.
     bool marked = false;
   };
-  void add(const PlanDoor& door, const MapPlan& plan);
 
   std::vector<Doorway> doorways_;
   std::vector<std::pair<double, std::size_t>> seen_;  ///< Scratch, kept for its memory.
