@@ -19,7 +19,7 @@ std::string listed(const Findings& findings) {
 std::vector<SourceFile> pure_sources() {
   return sources(TACIT_SOURCE_DIR,
                  {"idl/types", "idl/cdl", "idl/overlay", "robot_agent/brain", "world_server/world",
-                  "console/metrics", "console/report"});
+                  "console/metrics", "console/debrief", "console/report"});
 }
 
 std::vector<SourceFile> all_sources() {
