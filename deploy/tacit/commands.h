@@ -16,6 +16,7 @@ void add_policy(CLI::App& app, Exit& ending);
 void add_mission(CLI::App& app, Exit& ending);
 void add_map(CLI::App& app, Exit& ending);
 void add_verify(CLI::App& app, Exit& ending);
+void add_debrief(CLI::App& app, Exit& ending);
 void add_doctor(CLI::App& app, Exit& ending);
 
 }  // namespace tacit

@@ -40,6 +40,7 @@ Exit command_line(int argc, char** argv) {
   add_experiment(app, ending);
   add_scenarios(app, ending);
   add_verify(app, ending);
+  add_debrief(app, ending);
   add_policy(app, ending);
   add_mission(app, ending);
   add_map(app, ending);

@@ -6,6 +6,7 @@
 #include "deploy/tacit/commands.h"
 #include "deploy/tacit/dds_run.h"
 #include "deploy/tacit/one_process_run.h"
+#include "deploy/tacit/run_debrief.h"
 #include "deploy/tacit/say.h"
 #include "deploy/tacit/summary.h"
 #include "idl/types/config_error.h"
@@ -106,15 +107,29 @@ void add_run_options(CLI::App& run, RunWish& wish, std::string& speed) {
   run.add_flag("--quiet", wish.quiet, "No progress");
 }
 
+/// None when the run is no operation, and when what was recorded of it cannot be read.
+std::optional<Checklist> checklist_of(const RunDirectory& directory) {
+  try {
+    return debrief_of(directory);
+  } catch (const ConfigError& error) {
+    say(error.what());
+    return std::nullopt;
+  }
+}
+
 void tell(const RunPlan& plan, const RunDirectory& directory) {
   const std::optional<RunOutcome> outcome = directory.outcome();
   if (!outcome) {
     say("there is no result; what was recorded lies in " + directory.path().string());
     return;
   }
-  std::cout << (plan.wish.json ? summary_json(directory, *outcome)
+  const std::optional<Checklist> checklist = checklist_of(directory);
+  std::cout << (plan.wish.json ? summary_json(directory, *outcome, checklist)
                                : summary_text(directory, *outcome))
             << std::endl;
+  if (checklist && !plan.wish.json && !plan.wish.quiet) {
+    std::cout << '\n' << checklist_text(*checklist) << std::endl;
+  }
 }
 
 /// The command line of this process.

@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "console/record/json.h"
+#include "deploy/tacit/run_debrief.h"
 
 namespace tacit {
 
-std::string summary_json(const RunDirectory& directory, const RunOutcome& outcome) {
+std::string summary_json(const RunDirectory& directory, const RunOutcome& outcome,
+                         const std::optional<Checklist>& checklist) {
   using Json = nlohmann::ordered_json;
   const RunFacts& facts = directory.facts();
   const std::optional<double> speed = outcome.ticks_per_s();
@@ -23,6 +25,9 @@ std::string summary_json(const RunDirectory& directory, const RunOutcome& outcom
                {"run_dir", directory.path().string()},
                {"complete", outcome.complete},
                {"repeatable", outcome.repeatable}};
+  if (checklist) {
+    summary["checklist"] = Json::parse(checklist_json(*checklist));
+  }
   return summary.dump();
 }
 
