@@ -15,6 +15,7 @@ void add_scenarios(CLI::App& app, Exit& ending);
 void add_policy(CLI::App& app, Exit& ending);
 void add_mission(CLI::App& app, Exit& ending);
 void add_map(CLI::App& app, Exit& ending);
+void add_operate(CLI::App& app, Exit& ending);
 void add_verify(CLI::App& app, Exit& ending);
 void add_debrief(CLI::App& app, Exit& ending);
 void add_doctor(CLI::App& app, Exit& ending);

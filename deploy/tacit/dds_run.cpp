@@ -3,6 +3,7 @@
 #include <random>
 
 #include "deploy/tacit/cast.h"
+#include "deploy/tacit/venue_file.h"
 #include "idl/bus/domain_lease.h"
 #include "idl/bus/leftovers.h"
 
@@ -27,7 +28,9 @@ Ending run_over_dds(const RunPlan& plan, const RunDirectory& directory, Signals&
   const std::uint32_t run_nonce = std::random_device{}();
   const DomainLease lease = DomainLease::take(run_nonce);
   const Broom broom(run_nonce);
-  const Cast cast = cast_for(plan, directory, {lease.domain(), run_nonce});
+  const Venue venue{lease.domain(), run_nonce};
+  const VenueFile live(directory.path(), venue);
+  const Cast cast = cast_for(plan, directory, venue);
   return Supervisor(cast, signals, std::chrono::duration<double>(plan.wish.timeout_s)).run();
 }
 

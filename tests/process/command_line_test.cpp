@@ -100,7 +100,7 @@ TEST_P(Help, HasAnExample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("run", "learn", "scenarios", "verify", "debrief", "doctor",
+                         testing::Values("run", "learn", "scenarios", "verify", "debrief", "operate", "doctor",
                                          "experiment", "map"));
 
 class Interface : public testing::TestWithParam<const char*> {};
