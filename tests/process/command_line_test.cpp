@@ -100,8 +100,8 @@ TEST_P(Help, HasAnExample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("run", "learn", "scenarios", "verify", "debrief", "operate", "doctor",
-                                         "experiment", "map"));
+                         testing::Values("run", "learn", "scenarios", "verify", "debrief",
+                                         "operate", "doctor", "experiment", "map"));
 
 class Interface : public testing::TestWithParam<const char*> {};
 
