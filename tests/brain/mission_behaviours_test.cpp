@@ -229,6 +229,27 @@ TEST(MissionBehaviours, LeaveRoomGoesOutWhereItCameIn) {
   expect_near(robot.see(two).velocity_mps, 0.0, -1.0);
 }
 
+TEST(MissionBehaviours, LeaveRoomFindsTheWayOutOfALargeRoom) {
+  const std::string mission =
+      mission_of(last(state("Start", "%avoid_obstacles_gain = {0.0}, EnterRoom") +
+                      state("Out", "%avoid_obstacles_gain = {0.0}, LeaveRoom") +
+                      rule("Start", "%Delay = {0.3}, Wait", "Out")));
+  MissionRobot robot(mission);
+  Percept before;
+  before.site = Site::Hallway;
+  before.doorways = {doorway(0.0, 1.0)};
+  Percept inside;
+  inside.site = Site::Room;
+  inside.odometry.position_m = {0.0, 1.2};
+  inside.doorways = {doorway(0.0, -0.2)};
+  Percept far;  // The doorway is too far to be seen.
+  far.site = Site::Room;
+  far.odometry.position_m = {0.0, 15.0};
+  for (const Percept& percept : {before, inside, far, far}) static_cast<void>(robot.see(percept));
+  EXPECT_EQ(robot.state(), "Out");
+  expect_near(robot.see(far).velocity_mps, 0.0, -1.0);
+}
+
 TEST(MissionBehaviours, ActsAreDoneInTheirStates) {
   EXPECT_EQ(doing("%Objects = {Mines}, PickUp").see().act, Act::PickUp);
   EXPECT_EQ(doing("%Objects = {Mines}, PickUp").see().about, Colour::Orange);

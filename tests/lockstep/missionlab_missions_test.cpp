@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "tests/cdl/missionlab_samples.h"
 #include "tests/lockstep/operations.h"
@@ -19,6 +20,13 @@ struct Pairing {
   const char* map;
   bool ends;  ///< By itself: some go on for ever.
 };
+
+std::string name_of(const ::testing::TestParamInfo<Pairing>& pairing) {
+  std::string name = pairing.param.mission;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
 
 class MissionLabMissions : public ::testing::TestWithParam<Pairing> {};
 
@@ -50,12 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
         Pairing{"tmr_demos_Pedestrian.cdl", "overlays_hospital.ovl", false},
         Pairing{"usability_demos-1997_Task5_wander.cdl", "overlays_Woods1.ovl", false},
         Pairing{"mlab-2.0_demos_wander.cdl", "overlays_Woods1.ovl", false}),
-    [](const auto& info) {
-      std::string name = info.param.mission;
-      std::replace_if(
-          name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
-      return name;
-    });
+    name_of);
 
 }  // namespace
 }  // namespace tacit

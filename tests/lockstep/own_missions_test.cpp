@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "idl/overlay/office.h"
 #include "idl/overlay/writer.h"
 #include "tests/lockstep/operations.h"
@@ -51,6 +53,23 @@ TEST(OwnMissions, TheScoutGoesByEveryWayPoint) {
   const Outcome outcome = carry_out(wish("waypoints", shipped_map("waypoints")), 1);
   EXPECT_TRUE(outcome.over);
   EXPECT_GE(outcome.list.wanted(), 7U);
+  EXPECT_EQ(outcome.list.done(), outcome.list.wanted()) << outcome.told();
+}
+
+TEST(OwnMissions, EverybodyInTheDamagedBuildingIsBroughtToFirstAid) {
+  const Outcome outcome = carry_out(wish("rescue", shipped_map("rescue")), 1);
+  EXPECT_TRUE(outcome.over);
+  EXPECT_EQ(outcome.list.done(), outcome.list.wanted()) << outcome.told();
+  EXPECT_EQ(std::count_if(outcome.events.begin(), outcome.events.end(),
+                          [](const Event& event) {
+                            return std::holds_alternative<ObjectStored>(event.what);
+                          }),
+            3);
+}
+
+TEST(OwnMissions, TheHostageIsFoundAndNotLeftAlone) {
+  const Outcome outcome = carry_out(wish("hostage", shipped_map("hostage")), 1);
+  EXPECT_TRUE(outcome.over);
   EXPECT_EQ(outcome.list.done(), outcome.list.wanted()) << outcome.told();
 }
 

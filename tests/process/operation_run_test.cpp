@@ -25,6 +25,8 @@ json result(const Operation& operation, const Scratch& scratch, bool one_process
   return json::parse(finished.out, nullptr, false);
 }
 
+std::string name_of(const testing::TestParamInfo<Operation>& param) { return param.param.name; }
+
 class OperationRun : public testing::TestWithParam<Operation> {};
 
 TEST_P(OperationRun, HasTheSameEventLogOverDdsAndInOneProcessAndAFullChecklist) {
@@ -44,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Operations, OperationRun,
                                          Operation{"TwoRobotsAndASentry",
                                                    {"biohazard_pair.cdl", "--map", "office.ovl",
                                                     "--extra", "sentry.cdl"}}),
-                         [](const auto& info) { return info.param.name; });
+                         name_of);
 
 TEST(OperationRun, TellsWhatIsWrongWithItsFiles) {
   const auto error = [](std::vector<std::string> words) {

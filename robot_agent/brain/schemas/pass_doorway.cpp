@@ -31,7 +31,7 @@ const SeenDoorway* PassDoorway::pick(const Surroundings& around) const {
 
 std::optional<PassDoorway::Passage> PassDoorway::choose(const Surroundings& around) const {
   const SeenDoorway* doorway = pick(around);
-  if (doorway == nullptr) return std::nullopt;
+  if (doorway == nullptr) return remembered(around.premises);
   const OdometryPose& own = around.odometry;
   Passage passage;
   passage.middle_m = own.position_m + from_body<OdometryFrame>(own.heading, doorway->offset_m);
@@ -40,6 +40,13 @@ std::optional<PassDoorway::Passage> PassDoorway::choose(const Surroundings& arou
   const OdometryVec one_way = from_body<OdometryFrame>(own.heading, across);
   passage.through = goes(one_way, *doorway, around) ? one_way : -one_way;
   return passage;
+}
+
+// In a large room the doorway may be out of sight.
+std::optional<PassDoorway::Passage> PassDoorway::remembered(const Premises& here) const {
+  constexpr double kNarrowM = 0.5;
+  if (!config_.leave || !here.entrance) return std::nullopt;
+  return Passage{here.entrance->middle_m, -here.entrance->inwards, 0.5 * kNarrowM};
 }
 
 // A robot that stands in the doorway cannot tell its sides by where it stands.

@@ -11,7 +11,7 @@ namespace tacit {
 /// before it, when it comes at a slant, then through its middle to `beyond_m` on the other side.
 ///
 /// The doorway is chosen once in a state, in the first push in which one can be seen: the nearest,
-/// for a robot that leaves the one through which it came in. Nothing until then.
+/// for a robot that leaves the one through which it came in, also out of sight. Nothing until then.
 class PassDoorway final : public Schema {
  public:
   static constexpr std::string_view kName = "PassDoorway";
@@ -33,6 +33,7 @@ class PassDoorway final : public Schema {
     double half_width_m = 0.0;
   };
   [[nodiscard]] std::optional<Passage> choose(const Surroundings& around) const;
+  [[nodiscard]] std::optional<Passage> remembered(const Premises& here) const;
   /// Whether the way through `doorway` is `one_way`, and not the opposite.
   [[nodiscard]] bool goes(const OdometryVec& one_way, const SeenDoorway& doorway,
                           const Surroundings& around) const;
