@@ -14,13 +14,12 @@ constexpr bool kOnlyOfGuards =
 }  // namespace
 
 void Tally::add(const Event& event) {
-  operation_ = operation_ || std::holds_alternative<OperationBegun>(event.what);
   std::apply([&](auto&... fold) { (fold.add(event), ...); }, folds_);
 }
 
 std::vector<Metric> Tally::metrics() const {
   std::vector<Metric> all;
-  const bool guard = !operation_ && !of<Forage>().mines.has_value();
+  const bool guard = !of<Operation>().team.has_value() && !of<Forage>().mines.has_value();
   const auto append = [&]<class Fold>(const Fold& fold) {
     if (guard || !kOnlyOfGuards<Fold>) {
       const std::vector<Metric> some = fold.metrics();

@@ -10,6 +10,7 @@
 #include "console/metrics/idle_spread.h"
 #include "console/metrics/incidents.h"
 #include "console/metrics/metric.h"
+#include "console/metrics/operation.h"
 #include "idl/types/event.h"
 
 namespace tacit {
@@ -19,6 +20,7 @@ namespace tacit {
 class Tally {
  public:
   using Folds = std::tuple<Forage,         //
+                           Operation,      //
                            Enemies,        //
                            DeathDistance,  //
                            Decoys,         //
@@ -42,7 +44,6 @@ class Tally {
 
  private:
   Folds folds_;
-  bool operation_ = false;  ///< The run is one.
 };
 
 }  // namespace tacit

@@ -25,12 +25,26 @@ std::string forage_text(const Forage& forage, std::int64_t robots) {
          std::to_string(robots);
 }
 
+std::string operation_text(const Operation& operation) {
+  std::string text = "rooms " + std::to_string(operation.rooms) + " tested " +
+                     std::to_string(operation.tested) + " alerts " +
+                     std::to_string(operation.alerts);
+  if (operation.stored > 0) text += " stored " + std::to_string(operation.stored);
+  return text + "  finished " + std::to_string(operation.finished) + '/' +
+         std::to_string(operation.team.value_or(0));
+}
+
+std::string mission_text(const Tally& tally, std::int64_t robots) {
+  const auto& operation = tally.of<Operation>();
+  if (operation.team) return operation_text(operation);
+  const auto& forage = tally.of<Forage>();
+  return forage.mines ? forage_text(forage, robots) : guard_text(tally.of<Enemies>());
+}
+
 }  // namespace
 
 std::string standing_text(const Tally& tally, std::int64_t robots, const std::string& doings) {
-  const auto& forage = tally.of<Forage>();
-  const std::string mission =
-      forage.mines ? forage_text(forage, robots) : guard_text(tally.of<Enemies>());
+  const std::string mission = mission_text(tally, robots);
   return doings.empty() ? mission : mission + "  (" + doings + ')';
 }
 

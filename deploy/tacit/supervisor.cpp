@@ -78,7 +78,7 @@ Ending Supervisor::watch() {
     restart_due();
     check_time();
     if (world_done_ && all_gone()) {
-      end(Exit::Done, "");
+      end(stopped_ ? Exit::Interrupted : Exit::Done, stopped_ ? "stopped by its operator" : "");
     }
   }
   return *ending_;
@@ -99,7 +99,8 @@ void Supervisor::note_deaths() {
 }
 
 void Supervisor::note_death_of_world(const Death& death) {
-  if (death.well()) {
+  stopped_ = death.exit_code == static_cast<int>(Exit::Interrupted);
+  if (death.well() || stopped_) {
     world_done_ = Clock::now();
     return;
   }

@@ -74,6 +74,7 @@ class Supervisor {
   Member console_;
   std::vector<Member> agents_;
   std::optional<Clock::time_point> world_done_;
+  bool stopped_ = false;  ///< By a control word.
   std::optional<Ending> ending_;
 };
 

@@ -54,8 +54,12 @@ TEST(Vocabulary, TellsAWordsUsesApart) {
 TEST(Vocabulary, SaysWhatAParameterTakes) {
   EXPECT_EQ(misfit(row_of("Wait", Use::Trigger, "Delay"), parse_value("Long")),
             "a number from 0 to 86400 s");
+  EXPECT_EQ(misfit(row_of("GoTo", Use::Behaviour, "Goal_Location"), parse_value("1, 2, 3, 4")),
+            "a point: x, y in m, or the name of one");
   EXPECT_EQ(misfit(row_of("GoTo", Use::Behaviour, "Goal_Location"), parse_value("1, 2, 3")),
-            "a point: x, y in m");
+            std::nullopt);
+  EXPECT_EQ(misfit(row_of("GoTo", Use::Behaviour, "Goal_Location"), parse_value("Gate")),
+            std::nullopt);
   EXPECT_EQ(misfit(row_of("Detect", Use::Trigger, "Objects"), parse_value("2")),
             "words, such as Mines | Robots");
 }

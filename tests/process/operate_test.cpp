@@ -31,7 +31,7 @@ TEST(Operate, HelpsARobotThatWaitsAndStopsTheRun) {
   EXPECT_EQ(operate({"pause"}), 0);
   EXPECT_EQ(operate({"step", "3"}), 0);
   EXPECT_EQ(operate({"stop"}), 0);
-  EXPECT_EQ(running.finish().exit_code, 0);
+  EXPECT_EQ(running.finish().exit_code, 130);
   EXPECT_NE(tacit({"operate", run, "pause"}).err.find("no run over DDS is on there"),
             std::string::npos);
 }

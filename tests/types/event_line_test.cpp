@@ -103,7 +103,20 @@ std::vector<Happening> extremes() {
           RobotDisabled{kRobot, Mishap::Enemy},
           RobotRevived{kRobot, kRobot},
           MissionOver{Verdict::OutOfTime, std::numeric_limits<Tick>::max()},
-          ForageBegun{0xffffffff}};
+          ForageBegun{0xffffffff},
+          OperationBegun{0xffffffff, 0xffffffff},
+          ObjectTaken{kRobot, {kEnemy.value}},
+          ObjectDropped{kRobot, {kEnemy.value}, {kHuge, -kTiny}},
+          ObjectStored{kRobot, {kEnemy.value}, {1}},
+          ObjectTested{kRobot, {kEnemy.value}, Finding::Dangerous},
+          DoorwayMarked{kRobot, 0xffffffff, false},
+          SiteEntered{kRobot, Site::Hallway, 0xffffffff},
+          PointReached{kRobot, 0xffffffff},
+          Signalled{kRobot, Word("\"\\ ~"), 0xffffffff},
+          Alerted{kRobot, Word(std::string(Word::kMaxLength, '"'))},
+          RobotExposed{kRobot, kRobot, false},
+          RobotFinished{kRobot},
+          OperatorActed{kRobot, OperatorAct::Steer, {kTiny, -1.0}}};
 }
 
 TEST(EventLine, IsOneLineOfJsonForEveryKindOfEvent) {
