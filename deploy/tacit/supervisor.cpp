@@ -19,6 +19,8 @@ constexpr auto kMercy = 1500ms;
 constexpr auto kGlance = 100ms;
 /// What the programs end with when they were given something that cannot be.
 constexpr int kBadInput = static_cast<int>(Exit::BadInput);
+/// And when a control word or a signal ended the run.
+constexpr int kInterrupted = static_cast<int>(Exit::Interrupted);
 
 /// The world's exit codes for bad input and time-out mean the same as ours.
 Exit exit_for(const Death& death_of_world) {
@@ -99,7 +101,7 @@ void Supervisor::note_deaths() {
 }
 
 void Supervisor::note_death_of_world(const Death& death) {
-  stopped_ = death.exit_code == static_cast<int>(Exit::Interrupted);
+  stopped_ = death.exit_code == kInterrupted;
   if (death.well() || stopped_) {
     world_done_ = Clock::now();
     return;
@@ -109,6 +111,11 @@ void Supervisor::note_death_of_world(const Death& death) {
 
 void Supervisor::note_death_of_console(const Death& death) {
   if (death.well()) {
+    return;
+  }
+  // A control word ends the world as well; without the console nothing would be recorded.
+  if (death.exit_code == kInterrupted) {
+    console_left_ = Clock::now();
     return;
   }
   // It says itself what it could not do; once more it could not either.
@@ -159,6 +166,9 @@ void Supervisor::restart(Member& member) {
 void Supervisor::check_time() {
   if (deadline_ && Clock::now() >= *deadline_) {
     end(Exit::TimedOut, "the time is out");
+  }
+  if (console_left_ && !world_done_ && Clock::now() >= *console_left_ + kGrace) {
+    end(Exit::Unforeseen, "the console was ended while the run goes on");
   }
   if (world_done_ && Clock::now() >= *world_done_ + kFarewell) {
     end(Exit::Unforeseen, "the run is over, but a program does not end");

@@ -74,7 +74,8 @@ class Supervisor {
   Member console_;
   std::vector<Member> agents_;
   std::optional<Clock::time_point> world_done_;
-  bool stopped_ = false;  ///< By a control word.
+  bool stopped_ = false;                           ///< By a control word.
+  std::optional<Clock::time_point> console_left_;  ///< When a signal or such a word ended it.
   std::optional<Ending> ending_;
 };
 

@@ -223,10 +223,13 @@ TEST(Mission, EachRobotHasItsPart) {
 TEST(Mission, ForeignMemoriesAreRefused) {
   MissionRobot robot(one_state("Stop"));
   for (const char* text :
-       {"", "x", "tacit-operation-memory 1\nbegun 1\nhome\ncourse\nentrance\ninwards\nproceeded\nrecord\n",
-        "tacit-operation-memory 1\nbegun 1\nhome\ncourse\nentrance\ninwards\nproceeded\nrecord 99 0 0 0 1 0\n",
+       {"", "x",
+        "tacit-operation-memory 1\nbegun 1\nhome\ncourse\nentrance\ninwards\nproceeded\nrecord\n",
+        "tacit-operation-memory 1\nbegun 1\nhome\ncourse\nentrance\ninwards\nproceeded\nrecord 99 "
+        "0 0 0 1 0\n",
         "tacit-operation-memory 1\nbegun 2\nhome\ncourse\nentrance\ninwards\nproceeded\nrecord\n",
-        "tacit-operation-memory 1\nbegun 1\nhome\ncourse\nentrance\ninwards\nproceeded\nrecord 0 0 0 0 nan 0\n"}) {
+        "tacit-operation-memory 1\nbegun 1\nhome\ncourse\nentrance\ninwards\nproceeded\nrecord 0 0 "
+        "0 0 nan 0\n"}) {
     EXPECT_FALSE(robot.brain().recall(text)) << text;
   }
 }

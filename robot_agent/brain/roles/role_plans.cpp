@@ -12,9 +12,8 @@ namespace {
 constexpr const char* kName = "brain.roles.mission";
 
 AutomatonPlan plan_of(const std::vector<RobotPlan>& robots, std::string_view role) {
-  const auto robot = std::find_if(robots.begin(), robots.end(), [role](const RobotPlan& each) {
-    return each.name == role;
-  });
+  const auto robot = std::find_if(robots.begin(), robots.end(),
+                                  [role](const RobotPlan& each) { return each.name == role; });
   if (robot == robots.end() || !robot->root.nested) {
     throw ConfigError(std::string(kName) + ": wanted a robot called " + std::string(role) +
                       " that an automaton drives");

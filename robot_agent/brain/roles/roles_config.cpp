@@ -66,10 +66,11 @@ void describe(RolesConfig& config, ParameterVisitor& visitor) {
   visitor.section("brain.roles", "The automata of Forager, Soldier and Mechanic.");
   describe_ranges(config, visitor);
   describe_gains(config, visitor);
-  visitor.text("mission", config.mission,
-               {"",
-                "A mission in the Configuration Description Language; its robots Forager, Soldier "
-                "and Mechanic say what those roles do, in place of all of the above [MissionLab]."});
+  visitor.text(
+      "mission", config.mission,
+      {"",
+       "A mission in the Configuration Description Language; its robots Forager, Soldier "
+       "and Mechanic say what those roles do, in place of all of the above [MissionLab]."});
 }
 
 void check(const RolesConfig& config) {
