@@ -56,6 +56,10 @@ INSTANTIATE_TEST_SUITE_P(
         Pairing{"mars_demos_sample_lm.cdl", "mars_demos_sample_lm.ovl", false},
         Pairing{"mars_demos_sample_qlearn.cdl", "mars_demos_sample_qlearn.ovl", false},
         Pairing{"tmr_demos_Pedestrian.cdl", "overlays_hospital.ovl", false},
+        // Comes to a stop, and has no state in which a mission is over.
+        Pairing{"usability_demos-1997_Task0_example.cdl", "overlays_Woods1.ovl", false},
+        // TerminateObject takes no object away, so it goes round and round.
+        Pairing{"ao-fnc_demos_sample_eod.cdl", "ao-fnc_demos_sea-mines.ovl", false},
         Pairing{"usability_demos-1997_Task5_wander.cdl", "overlays_Woods1.ovl", false},
         Pairing{"mlab-2.0_demos_wander.cdl", "overlays_Woods1.ovl", false}),
     name_of);
