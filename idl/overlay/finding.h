@@ -25,4 +25,7 @@ using MapFindings = std::vector<MapFinding>;
 
 [[nodiscard]] bool has_errors(const MapFindings& findings);
 
+/// Throws ConfigError, a line for each error of `file`, when there is one.
+void refuse_errors(const MapFindings& findings, const std::string& file);
+
 }  // namespace tacit

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "idl/overlay/check.h"
 #include "idl/overlay/ground.h"
@@ -34,20 +35,8 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-void refuse_errors(const MapFindings& findings, const std::string& file) {
-  std::string text;
-  for (const MapFinding& finding : findings) {
-    if (finding.severity == Severity::Error) {
-      text += (text.empty() ? "" : "\n") + to_text(finding, file);
-    }
-  }
-  if (!text.empty()) {
-    throw ConfigError(text);
-  }
-}
-
-OverlayMap read_map(const fs::path& file) {
-  OverlayReading reading = read_overlay(text_of(file));
+OverlayMap read_map(std::string_view text, const fs::path& file) {
+  OverlayReading reading = read_overlay(text);
   refuse_errors(reading.findings, file.string());
   refuse_errors(check(reading.map), file.string());
   return std::move(reading.map);
@@ -137,8 +126,9 @@ void take_operation_map(WorldConfig& world, const ScenarioFile& file) {
   };
   if (!world.area.map.empty()) {
     const fs::path path = file_of(world.area.map, file);
-    (void)read_map(path);
     text = text_of(path);
+    // For errors that name the file.
+    (void)read_map(text, path);
     world.area.map.clear();
   }
   if (text.empty()) return;
@@ -155,7 +145,7 @@ void take_map(WorldConfig& world, const ScenarioFile& file) {
   if (world.mission == MissionKind::Operation) return take_operation_map(world, file);
   if (world.area.map.empty()) return;
   const fs::path path = file_of(world.area.map, file);
-  const OverlayMap map = read_map(path);
+  const OverlayMap map = read_map(text_of(path), path);
   const Doors doors = world.area.doors == "closed" ? Doors::Closed : Doors::Open;
   const MapGround ground = ground_of(map, doors);
   require_fit(ground, path);

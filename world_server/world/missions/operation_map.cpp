@@ -52,18 +52,6 @@ MapFindings odd_colours(const OverlayMap& map) {
   return findings;
 }
 
-void refuse_errors(const MapFindings& findings) {
-  std::string text;
-  for (const MapFinding& finding : findings) {
-    if (finding.severity == Severity::Error) {
-      text += (text.empty() ? "" : "\n") + to_text(finding, kFile);
-    }
-  }
-  if (!text.empty()) {
-    throw ConfigError(text);
-  }
-}
-
 void require_few(std::size_t count, std::size_t most, const std::string& what) {
   if (count > most) {
     throw ConfigError(std::string(kFile) + ": found " + std::to_string(count) + " " + what +
@@ -157,9 +145,9 @@ MapPlan operation_plan(const WorldConfig& config) {
     return {};
   }
   const OverlayReading reading = read_overlay(text);
-  refuse_errors(reading.findings);
-  refuse_errors(check(reading.map));
-  refuse_errors(odd_colours(reading.map));
+  refuse_errors(reading.findings, kFile);
+  refuse_errors(check(reading.map), kFile);
+  refuse_errors(odd_colours(reading.map), kFile);
   MapPlan plan = plan_of(reading.map, config.area.doors == "closed" ? Doors::Closed : Doors::Open);
   check_size(plan);
   check_measures(plan);
