@@ -19,13 +19,7 @@ MapPlan read_plan(const NamedText& map) {
   MapFindings findings = reading.findings;
   const MapFindings more = check(reading.map);
   findings.insert(findings.end(), more.begin(), more.end());
-  std::string all;
-  for (const MapFinding& each : findings) {
-    if (each.severity == Severity::Error) {
-      all += (all.empty() ? "" : "\n") + to_text(each, map.name);
-    }
-  }
-  if (!all.empty()) throw ConfigError(all);
+  refuse_errors(findings, map.name);
   return plan_of(reading.map, Doors::Open);
 }
 

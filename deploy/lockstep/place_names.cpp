@@ -1,9 +1,6 @@
 #include "deploy/lockstep/place_names.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <charconv>
 #include <vector>
 
 #include "idl/cdl/finding.h"
@@ -11,36 +8,16 @@
 #include "idl/cdl/print.h"
 #include "idl/cdl/value.h"
 #include "idl/types/config_error.h"
+#include "idl/types/lowered.h"
 #include "idl/types/nearest_word.h"
+#include "robot_agent/brain/shortest.h"
 
 namespace tacit {
 namespace {
 
-std::string lowered(std::string_view text) {
-  std::string small(text);
-  std::transform(small.begin(), small.end(), small.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
-}
-
-std::string shortest(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
-
-[[noreturn]] void refuse(cdl::Findings findings, std::string_view text, std::string_view name) {
-  cdl::locate(findings, text);
-  std::string all;
-  for (const cdl::Finding& each : findings) {
-    all += (all.empty() ? "" : "\n") + cdl::to_text(each, name);
-  }
-  throw ConfigError(all);
-}
-
 cdl::Mission read(const std::string& text, std::string_view name) {
   cdl::Parsed parsed = cdl::parse(text);
-  if (cdl::has_error(parsed.findings)) refuse(std::move(parsed.findings), text, name);
+  cdl::refuse_errors(std::move(parsed.findings), text, name);
   return std::move(parsed.mission);
 }
 
@@ -102,7 +79,7 @@ std::string with_places(const std::string& text, std::string_view name, const Ma
   cdl::Mission mission = read(text, name);
   Placer placer(plan);
   for (cdl::Statement& statement : mission.statements) placer.visit(statement.body);
-  if (!placer.findings().empty()) refuse(std::move(placer.findings()), text, name);
+  cdl::refuse_errors(std::move(placer.findings()), text, name);
   return cdl::print(mission, text);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "world_server/world/terrain.h"
+
 namespace tacit {
 namespace {
 
@@ -15,11 +17,7 @@ constexpr double kSearchM = 20.0;
 WorldVec vec(const MapPoint& p) { return {p.x_m, p.y_m}; }
 
 double distance_m(const WorldVec& p, const MapSegment& wall) {
-  const WorldVec from = vec(wall.from);
-  const WorldVec along = vec(wall.to) - from;
-  const double length2 = along.squared_norm();
-  const double share = length2 > 0.0 ? std::clamp((p - from).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (p - from - share * along).norm();
+  return (p - nearest_point({vec(wall.from), vec(wall.to)}, p)).norm();
 }
 
 /// Whether two segments cross.

@@ -1,7 +1,6 @@
 #include "deploy/tacit/map_picture.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "console/report/svg.h"
 #include "idl/overlay/ground.h"
+#include "idl/types/lowered.h"
 
 namespace tacit {
 namespace {
@@ -29,9 +29,8 @@ constexpr std::string_view kGap = "stroke=\"#2f9e44\" stroke-width=\"1.5\"";
 constexpr std::string_view kObstacle = "fill=\"#6c757d\" stroke=\"#343a40\"";
 
 /// A colour's name as SVG knows it; grey for what can be no name.
-std::string colour_name(std::string colour) {
-  std::transform(colour.begin(), colour.end(), colour.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+std::string colour_name(const std::string& spelled) {
+  const std::string colour = lowered(spelled);
   const bool letters = std::all_of(colour.begin(), colour.end(),
                                    [](unsigned char c) { return c >= 'a' && c <= 'z'; });
   return letters && !colour.empty() ? colour : "grey";

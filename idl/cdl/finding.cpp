@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "idl/types/config_error.h"
+
 namespace tacit::cdl {
 
 void FindingList::add(Finding finding) {
@@ -44,6 +46,27 @@ void locate(Findings& findings, std::string_view text) {
     finding.line = line;
     finding.column = at - line_begin + 1;
   }
+}
+
+void refuse_errors(Findings findings, std::string_view text, std::string_view name) {
+  if (!has_error(findings)) {
+    return;
+  }
+  locate(findings, text);
+  std::string all;
+  std::string last;
+  for (const Finding& each : findings) {
+    if (each.severity != Severity::Error) {
+      continue;
+    }
+    std::string line = to_text(each, name);
+    if (line == last) {
+      continue;  // Robots that share a part share its faults.
+    }
+    all += (all.empty() ? "" : "\n") + line;
+    last = std::move(line);
+  }
+  throw ConfigError(all);
 }
 
 }  // namespace tacit::cdl

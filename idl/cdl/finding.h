@@ -46,4 +46,8 @@ class FindingList {
 /// Sets line and column of each from its offset in `text`, and sorts them by offset.
 void locate(Findings& findings, std::string_view text);
 
+/// Throws ConfigError when there is an error among `findings`: all of them, one a line, those that
+/// say the same of one place once. `text` is what they are about, `name` what it is called.
+void refuse_errors(Findings findings, std::string_view text, std::string_view name);
+
 }  // namespace tacit::cdl

@@ -1,9 +1,9 @@
 #include "robot_agent/brain/mission/arguments.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
+
+#include "idl/types/lowered.h"
 
 namespace tacit {
 namespace {
@@ -46,13 +46,6 @@ constexpr std::array kClassWords{
     ClassWord{"object", kObjects},
     ClassWord{"any_object", kObjects},
 };
-
-std::string lowered(std::string_view word) {
-  std::string text(word);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// "mines" to "mine", "enemies" to "enemy".
 std::string singular(std::string word) {
