@@ -29,14 +29,9 @@ ForagePerception::ForagePerception(double teammate_reach_m, const QuarryTrack::C
 }
 
 const Surroundings& ForagePerception::look(const Percept& percept) {
-  around_.tick = percept.tick;
-  around_.odometry = percept.odometry;
-  around_.obstacles = percept.obstacles;
-  around_.able = percept.able;
-  around_.holding = percept.holding;
-  around_.deeds = percept.deeds;
+  around_.take(percept);
   sort(percept);
-  complete_base();
+  around_.complete(Thing::Base, base_);
   follow_enemy();
   return around_;
 }
@@ -52,20 +47,10 @@ void ForagePerception::sort(const Percept& percept) {
   for (const Sighting& sighting : percept.sightings) {
     const Nearest seen{sighting.offset_m, sighting.offset_m.squared_norm(), sighting.radius_m};
     if (const auto thing = thing_in(sighting)) {
-      Nearest& best = around_.nearest[static_cast<std::size_t>(*thing)];
-      if (nearer(seen, best)) best = seen;
+      around_.note(*thing, seen);
     } else if (sighting.kind == Kind::Teammate && seen.squared_range_m2 < squared_reach_m2_) {
       around_.teammates.push_back({seen.offset_m, std::sqrt(seen.squared_range_m2), true});
     }
-  }
-}
-
-void ForagePerception::complete_base() {
-  Nearest& base = around_.nearest[static_cast<std::size_t>(Thing::Base)];
-  if (base.known()) {
-    base_.see(around_.odometry, base.offset_m);
-  } else if (const auto remembered_m = base_.from(around_.odometry)) {
-    base = {*remembered_m, remembered_m->squared_norm()};
   }
 }
 

@@ -29,7 +29,6 @@ class ForagePerception {
 
  private:
   void sort(const Percept& percept);
-  void complete_base();
   void follow_enemy();
 
   double squared_reach_m2_;

@@ -74,19 +74,14 @@ OperationPerception::OperationPerception(const WorldPose& start) : start_(start)
 }
 
 const Surroundings& OperationPerception::look(const Percept& percept) {
-  around_.tick = percept.tick;
-  around_.odometry = percept.odometry;
-  around_.obstacles = percept.obstacles;
-  around_.able = percept.able;
-  around_.holding = percept.holding;
-  around_.deeds = percept.deeds;
+  around_.take(percept);
   Premises& here = around_.premises;
   here.held = percept.held;
   here.site = percept.site;
   here.doorways = percept.doorways;
   here.operated = percept.operated;
   sort(percept);
-  complete_home();
+  around_.complete(Thing::Home, home_);
   find_pose();
   follow_hallway(percept);
   follow_rooms(percept.site);
@@ -108,30 +103,16 @@ void OperationPerception::sort(const Percept& percept) {
     }
     if (const auto thing = thing_in(sighting)) {
       const Nearest seen{sighting.offset_m, sighting.offset_m.squared_norm(), sighting.radius_m};
-      note(*thing, seen);
-      if (thing == Thing::Unknown && is_here(seen.offset_m)) note(Thing::UnknownHere, seen);
+      around_.note(*thing, seen);
+      if (thing == Thing::Unknown && is_here(seen.offset_m)) around_.note(Thing::UnknownHere, seen);
     }
   }
-}
-
-void OperationPerception::note(Thing thing, const Nearest& seen) {
-  Nearest& best = around_.nearest[static_cast<std::size_t>(thing)];
-  if (nearer(seen, best)) best = seen;
 }
 
 bool OperationPerception::is_here(const BodyVec& offset_m) const {
   const auto& doorways = around_.premises.doorways;
   return std::none_of(doorways.begin(), doorways.end(),
                       [&offset_m](const SeenDoorway& each) { return through(each, offset_m); });
-}
-
-void OperationPerception::complete_home() {
-  Nearest& home = around_.nearest[static_cast<std::size_t>(Thing::Home)];
-  if (home.known()) {
-    home_.see(around_.odometry, home.offset_m);
-  } else if (const auto remembered_m = home_.from(around_.odometry)) {
-    home = {*remembered_m, remembered_m->squared_norm(), 0.0};
-  }
 }
 
 void OperationPerception::find_pose() {

@@ -40,9 +40,7 @@ class OperationPerception {
 
  private:
   void sort(const Percept& percept);
-  void note(Thing thing, const Nearest& seen);
   [[nodiscard]] bool is_here(const BodyVec& offset_m) const;
-  void complete_home();
   void find_pose();
   void follow_hallway(const Percept& percept);
   void follow_rooms(Site site);

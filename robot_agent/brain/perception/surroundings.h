@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "idl/types/percept.h"
+#include "robot_agent/brain/perception/place_memory.h"
 #include "robot_agent/brain/perception/premises.h"
 #include "robot_agent/brain/perception/quarry_track.h"
 #include "robot_agent/brain/perception/thing.h"
@@ -80,6 +81,30 @@ struct Surroundings {
 
   // An operation's, beside the forager's.
   Premises premises;
+
+  /// Takes over what needs no sorting; borrows from `percept`.
+  void take(const Percept& percept) {
+    tick = percept.tick;
+    odometry = percept.odometry;
+    obstacles = percept.obstacles;
+    able = percept.able;
+    holding = percept.holding;
+    deeds = percept.deeds;
+  }
+  /// Takes in that a thing was seen.
+  void note(Thing thing, const Nearest& seen) {
+    Nearest& best = nearest[static_cast<std::size_t>(thing)];
+    if (nearer(seen, best)) best = seen;
+  }
+  /// Lets `memory` learn where a thing that stays where it is was seen, or say where it must be.
+  void complete(Thing thing, PlaceMemory& memory) {
+    Nearest& known = nearest[static_cast<std::size_t>(thing)];
+    if (known.known()) {
+      memory.see(odometry, known.offset_m);
+    } else if (const auto remembered_m = memory.from(odometry)) {
+      known = {*remembered_m, remembered_m->squared_norm()};
+    }
+  }
 
   [[nodiscard]] const Nearest& nearest_of(Thing thing) const {
     return nearest[static_cast<std::size_t>(thing)];
