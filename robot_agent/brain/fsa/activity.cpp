@@ -1,7 +1,6 @@
 #include "robot_agent/brain/fsa/activity.h"
 
 #include "idl/types/config_error.h"
-#include "idl/types/repulsion.h"
 
 namespace tacit {
 namespace {
@@ -39,11 +38,9 @@ void Activity::enter(const Entry& entry) {
 
 Doing Activity::step(const Surroundings& around) {
   Doing doing;
-  constexpr double kInside2 = kInfiniteRepulsion * kInfiniteRepulsion;
   for (Member& member : members_) {
     member.push = member.schema->push(around);
-    doing.hemmed_in = doing.hemmed_in || member.push.squared_norm() >= kInside2;
-    doing.sum += member.gain * member.push;
+    doing.add(member.gain, member.push);
   }
   if (acts(around.tick)) {
     doing.act = deed_.act;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "idl/types/command.h"
+#include "idl/types/repulsion.h"
 #include "idl/types/telemetry.h"
 #include "robot_agent/brain/fsa/entry.h"
 #include "robot_agent/brain/fsa/record.h"
@@ -21,6 +22,12 @@ struct Doing {
   Word word;
   std::optional<double> turn_rad;  ///< Wanted turn on the spot, counter-clockwise.
   bool hemmed_in = false;          ///< Something is inside a safety margin.
+
+  /// Adds a schema's push, times its gain.
+  void add(double gain, const BodyVec& push) {
+    sum += gain * push;
+    hemmed_in = hemmed_in || push.squared_norm() >= kInfiniteRepulsion * kInfiniteRepulsion;
+  }
 };
 
 /// What a robot does in a state: a weighted sum, an automaton of its own, a choice that it learns.

@@ -34,8 +34,6 @@ class LearnedChoice final : public Behaviour {
   void begin_run() override;
   [[nodiscard]] std::uint64_t lessons() const override { return learner_.table().updates; }
 
-  [[nodiscard]] const QTable& table() const { return learner_.table(); }
-
  private:
   [[nodiscard]] std::size_t firing(const Surroundings& around) const;
   /// The action to run now.

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "idl/types/repulsion.h"
-
 namespace tacit {
 namespace {
 
@@ -53,11 +51,7 @@ Doing MomentumActivity::step(const Surroundings& around) {
              {std::string(Noise::kName), gains.noise, noise_->push(around)},
              {std::string(Telop::kName), 1.0, telop_.push(around)}};
   Doing doing;
-  constexpr double kInside2 = kInfiniteRepulsion * kInfiniteRepulsion;
-  for (const SchemaShare& share : shares_) {
-    doing.sum += share.gain * share.push;
-    doing.hemmed_in = doing.hemmed_in || share.push.squared_norm() >= kInside2;
-  }
+  for (const SchemaShare& share : shares_) doing.add(share.gain, share.push);
   return doing;
 }
 

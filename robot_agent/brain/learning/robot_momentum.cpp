@@ -86,18 +86,4 @@ void RobotMomentum::resume(const Gains& gains, std::uint64_t chance_position) {
   samples_ = 0;
 }
 
-const char* name(RobotMomentum::Situation situation) {
-  switch (situation) {
-    case RobotMomentum::Situation::NoMovement:
-      return "NoMovement";
-    case RobotMomentum::Situation::Progress:
-      return "Progress";
-    case RobotMomentum::Situation::NoProgressWithObstacles:
-      return "NoProgressWithObstacles";
-    case RobotMomentum::Situation::NoProgressWithoutObstacles:
-      return "NoProgressWithoutObstacles";
-  }
-  return "?";
-}
-
 }  // namespace tacit

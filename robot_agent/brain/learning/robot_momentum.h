@@ -56,7 +56,4 @@ class RobotMomentum {
   std::uint64_t samples_ = 0;
 };
 
-/// "NoMovement", …
-[[nodiscard]] const char* name(RobotMomentum::Situation situation);
-
 }  // namespace tacit

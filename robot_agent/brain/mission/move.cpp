@@ -8,14 +8,6 @@
 namespace tacit::behaviours {
 namespace {
 
-/// MissionLab's parameters for keeping clear.
-Clearance clearance(const Arguments& given) {
-  return {given.number("avoid_obstacle_gain"),
-          given.number("avoid_obstacle_sphere"),
-          given.number("avoid_obstacle_safety_margin"),
-          {}};
-}
-
 StatePlan with_momentum(const SchemaUse& goal, const Clearance& clear, double noise_gain) {
   StatePlan state;
   state.momentum = MomentumPlan{goal, clear.gain, clear.sphere_m, clear.margin_m, noise_gain};
@@ -64,18 +56,18 @@ Slot centre_of(std::string_view formation, std::size_t count) {
 StatePlan go_to(const Arguments& given) {
   const double gain = given.number("move_to_location_gain");
   return state_of(moving({use_of<MoveToPlace>(gain, {given.point("Goal_Location")})},
-                         clearance(given), given.number("wander_gain")));
+                         clearance_in(given), given.number("wander_gain")));
 }
 
 StatePlan go_to_lm(const Arguments& given) {
   const double gain = given.number("move_to_goal_gain");
-  return with_momentum(use_of<MoveToPlace>(gain, {given.point("Goal_Location")}), clearance(given),
-                       given.number("noise_gain"));
+  return with_momentum(use_of<MoveToPlace>(gain, {given.point("Goal_Location")}),
+                       clearance_in(given), given.number("noise_gain"));
 }
 
 StatePlan move_toward(const Arguments& given) {
   const ThingSet things = given.things("Objects");
-  Clearance clear = clearance(given);
+  Clearance clear = clearance_in(given);
   clear.not_robots = things;
   const MoveTo::Config config{given.number("max_sensor_range"), 0.0};
   return state_of(moving({use_of<MoveTo>(given.number("move_to_object_gain"), config, things)},
@@ -86,12 +78,12 @@ StatePlan move_toward_lm(const Arguments& given) {
   const ThingSet things = given.things("Objects");
   const MoveTo::Config config{given.number("max_sensor_range"), 0.0};
   return with_momentum(use_of<MoveTo>(given.number("move_to_object_gain"), config, things),
-                       clearance(given), given.number("wander_gain"));
+                       clearance_in(given), given.number("wander_gain"));
 }
 
 StatePlan move_away(const Arguments& given) {
   const ThingSet things = given.things("Objects");
-  Clearance clear = clearance(given);
+  Clearance clear = clearance_in(given);
   clear.not_robots = things;
   // Where the mission says nothing of the things' own sphere, the obstacles' counts.
   const bool own = given.has("avoid_objects_sphere");
@@ -106,13 +98,13 @@ StatePlan follow(const Arguments& given) {
   const MoveTo::Config config{given.number("max_sensor_range"), given.number("follow_distance")};
   return state_of(
       moving({use_of<MoveTo>(given.number("move_to_object_gain"), config, given.things("Objects"))},
-             clearance(given), given.number("wander_gain")));
+             clearance_in(given), given.number("wander_gain")));
 }
 
 StatePlan move_ahead(const Arguments& given) {
   const MoveAhead::Config config{given.number("direction")};
-  return state_of(
-      moving({use_of<MoveAhead>(given.number("move_ahead_gain"), config)}, clearance(given), 0.0));
+  return state_of(moving({use_of<MoveAhead>(given.number("move_ahead_gain"), config)},
+                         clearance_in(given), 0.0));
 }
 
 // MissionLab's Wander: gains as `curious` and `cautious` say, noise 0.8.
@@ -138,7 +130,7 @@ StatePlan move_in_formation(const Arguments& given, const TeamPlace& place) {
                                    given.number("saturation")};
   return state_of(moving({use_of<MoveToPlace>(given.number("move_to_location_gain"), {goal_m}),
                           use_of<KeepFormation>(given.number("maintain_formation_gain"), keep)},
-                         clearance(given), 0.0));
+                         clearance_in(given), 0.0));
 }
 
 // MissionLab's: the joystick with a weak avoidance of obstacles.

@@ -28,7 +28,6 @@ StatePlan put_in_eod(const Arguments& given) {
 // MissionLab's probe: a second of waiting, then the result.
 StatePlan test_object(const Arguments& given) {
   const bool named = given.has("Object") || given.has("Objects");
-  constexpr Tick kProbeTicks = 10;
   return state_of(standing({.act = Act::Test,
                             .about = named ? colour_of(objects(given)) : std::nullopt,
                             .after_ticks = kProbeTicks}));

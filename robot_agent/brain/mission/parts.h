@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "robot_agent/brain/fsa/automaton_plan.h"
+#include "robot_agent/brain/mission/arguments.h"
 
 namespace tacit {
 
@@ -15,6 +16,18 @@ struct Clearance {
   double margin_m = 0.3;
   ThingSet not_robots{};  ///< Classes of robots that it goes to or after, so does not avoid.
 };
+
+/// As the mission gives it, the gain by the name `gain`, which differs from behaviour to behaviour.
+[[nodiscard]] inline Clearance clearance_in(const Arguments& given,
+                                            std::string_view gain = "avoid_obstacle_gain") {
+  return {given.number(gain),
+          given.number("avoid_obstacle_sphere"),
+          given.number("avoid_obstacle_safety_margin"),
+          {}};
+}
+
+/// How long a probe touches an object before it says what it is [MissionLab].
+inline constexpr Tick kProbeTicks = 10;
 
 /// A use of schema `S`.
 template <class S>

@@ -4,13 +4,6 @@
 namespace tacit::behaviours {
 namespace {
 
-Clearance clearance(const Arguments& given, std::string_view gain) {
-  return {given.number(gain),
-          given.number("avoid_obstacle_sphere"),
-          given.number("avoid_obstacle_safety_margin"),
-          {}};
-}
-
 HallwayWay way_called(const Arguments& given) {
   const std::string word = given.word("proceed_direction");
   if (word == "Left") return HallwayWay::Left;
@@ -28,9 +21,6 @@ bool unmarked_only(const Arguments& given) {
   }
   return which != "ENTER_ANY";
 }
-
-/// How long a probe touches an object before it says what it is [MissionLab].
-constexpr Tick kProbeTicks = 10;
 
 // MissionLab's words of 2000 and of 2004 for the same.
 const std::vector<Word>& found_words() {
@@ -61,26 +51,26 @@ StatePlan proceed_along_hallway(const Arguments& given) {
   const ProceedAlong::Config along{way_called(given)};
   return state_of(moving({use_of<ProceedAlong>(given.number("move_to_location_gain"), along),
                           {std::string(StayOnPath::kName), given.number("off_path_gain"), {}, {}}},
-                         clearance(given, "avoid_obstacle_gain"), 0.0));
+                         clearance_in(given, "avoid_obstacle_gain"), 0.0));
 }
 
 StatePlan enter_room(const Arguments& given) {
   const PassDoorway::Config pass{false, unmarked_only(given), given.number("distance_to_enter")};
   return state_of(moving({use_of<PassDoorway>(given.number("enter_room_gain"), pass)},
-                         clearance(given, "avoid_obstacles_gain"), 0.0));
+                         clearance_in(given, "avoid_obstacles_gain"), 0.0));
 }
 
 // Half a hallway's width beyond the doorway, so that the robot is clear of it [ours].
 StatePlan leave_room(const Arguments& given) {
   const PassDoorway::Config pass{true, false, 0.8};
   return state_of(moving({use_of<PassDoorway>(given.number("leave_room_gain"), pass)},
-                         clearance(given, "avoid_obstacles_gain"), 0.0));
+                         clearance_in(given, "avoid_obstacles_gain"), 0.0));
 }
 
 StatePlan go_through_door(const Arguments& given) {
   const PassDoorway::Config pass{false, false, 1.0};
   return state_of(moving({use_of<PassDoorway>(given.number("go_through_door_gain"), pass)},
-                         clearance(given, "avoid_obstacles_gain"), 0.0));
+                         clearance_in(given, "avoid_obstacles_gain"), 0.0));
 }
 
 StatePlan mark_doorway(const Arguments& /*given*/) {

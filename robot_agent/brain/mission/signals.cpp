@@ -26,10 +26,7 @@ StatePlan standby(const Arguments& /*given*/) {
 
 // MissionLab's DEPLOY_BY_GOTO: gains 1.0 and 0.3 indoors, 1.0 outdoors.
 StatePlan start_sub_mission(const Arguments& given) {
-  const Clearance clear{given.number("avoid_obstacle_gain"),
-                        given.number("avoid_obstacle_sphere"),
-                        given.number("avoid_obstacle_safety_margin"),
-                        {}};
+  const Clearance clear = clearance_in(given);
   return state_of(moving(
       {use_of<MoveToPlace>(given.number("move_to_location_gain"), {given.point("Goal_Location")})},
       clear, given.number("wander_gain")));
