@@ -84,6 +84,7 @@ struct MapObstacle {
   MapPoint centre;
   double radius_m = 0.0;
   std::optional<double> height_m;
+  std::string name{};  ///< Some maps have one; most are empty.
   friend bool operator==(const MapObstacle&, const MapObstacle&) = default;
 };
 

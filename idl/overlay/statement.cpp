@@ -180,10 +180,8 @@ MapHeader header(const HeaderForm& form, Words words) {
 }
 
 MapObstacle obstacle(Words words) {
-  if (!words.at_number()) {
-    (void)words.name();
-  }
   MapObstacle obstacle;
+  obstacle.name = words.name();
   obstacle.centre.x_m = words.number("a number (x)");
   obstacle.centre.y_m = words.number("a number (y)");
   obstacle.radius_m = words.number("a number (radius)");

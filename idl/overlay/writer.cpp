@@ -72,7 +72,8 @@ struct Printer {
            listed(shape.points) + optional_number(shape.size_m);
   }
   std::string operator()(const MapObstacle& obstacle) const {
-    return "OBSTACLE" + listed({obstacle.centre}) + ' ' + number(obstacle.radius_m) +
+    const std::string name = obstacle.name.empty() ? "" : ' ' + quoted(obstacle.name);
+    return "OBSTACLE" + name + listed({obstacle.centre}) + ' ' + number(obstacle.radius_m) +
            optional_number(obstacle.height_m);
   }
   std::string operator()(const MapObject& object) const {

@@ -34,6 +34,16 @@ TEST(OverlayWriter, PrintsACanonicalTextThatIsItsOwnCanonicalText) {
   EXPECT_EQ(map_of(once), map_of(kSampleMap));
 }
 
+TEST(OverlayWriter, KeepsTheNameOfAnObstacle) {
+  EXPECT_EQ(to_canonical_text(map_of("obstacle rock 1 2 0.50\n")), "OBSTACLE \"rock\" 1 2 0.5\n");
+}
+
+TEST(OverlayWriter, KeepsBytesThatMakeATextWrong) {
+  const std::string_view text("obstacle a\0b 1 2 0.5\n", 22);
+  const OverlayReading again = read_overlay(to_canonical_text(read_overlay(text).map));
+  EXPECT_TRUE(has_errors(again.findings));
+}
+
 TEST(OverlayWriter, KeepsCommentsBetweenTheLinesOfAStatement) {
   const std::string text = "wall a 0 0 -- from here\n  1 1 -- to there\npp \"b -- c\" 1 2\n";
   EXPECT_EQ(to_canonical_text(map_of(text)),
@@ -50,7 +60,8 @@ MapContent content(Stream& chance) {
   switch (chance.below(5)) {
     case 0:
       return MapObstacle{points[0], number(chance),
-                         chance.below(2) ? std::optional(2.5) : std::nullopt};
+                         chance.below(2) ? std::optional(2.5) : std::nullopt,
+                         chance.below(2) ? "rock 7" : ""};
     case 1:
       return MapObject{points[0], number(chance), Mobility::Movable, "red"};
     case 2:
