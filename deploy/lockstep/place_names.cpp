@@ -10,7 +10,7 @@
 #include "idl/types/config_error.h"
 #include "idl/types/lowered.h"
 #include "idl/types/nearest_word.h"
-#include "robot_agent/brain/shortest.h"
+#include "idl/types/shortest.h"
 
 namespace tacit {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "idl/types/config_error.h"
+#include "idl/types/shortest.h"
 #include "robot_agent/brain/forage_config.h"
 #include "robot_agent/brain/operation_config.h"
-#include "robot_agent/brain/shortest.h"
 
 namespace tacit {
 namespace {

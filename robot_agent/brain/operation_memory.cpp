@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "robot_agent/brain/shortest.h"
+#include "idl/types/shortest.h"
 
 namespace tacit {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "idl/types/config_error.h"
-#include "robot_agent/brain/shortest.h"
+#include "idl/types/shortest.h"
 
 namespace tacit {
 namespace {

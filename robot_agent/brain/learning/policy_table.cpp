@@ -6,8 +6,8 @@
 #include <charconv>
 
 #include "idl/types/config_error.h"
+#include "idl/types/shortest.h"
 #include "robot_agent/brain/learning/role_triggers.h"
-#include "robot_agent/brain/shortest.h"
 
 namespace tacit {
 namespace {

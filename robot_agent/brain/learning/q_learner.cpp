@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "idl/types/config_error.h"
-#include "robot_agent/brain/shortest.h"
+#include "idl/types/shortest.h"
 
 namespace tacit {
 

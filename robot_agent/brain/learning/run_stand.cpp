@@ -1,6 +1,6 @@
 #include "robot_agent/brain/learning/run_stand.h"
 
-#include "robot_agent/brain/shortest.h"
+#include "idl/types/shortest.h"
 
 namespace tacit {
 namespace {

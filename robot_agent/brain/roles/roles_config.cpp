@@ -3,7 +3,7 @@
 #include <string>
 
 #include "idl/types/config_error.h"
-#include "robot_agent/brain/shortest.h"
+#include "idl/types/shortest.h"
 
 namespace tacit {
 namespace {

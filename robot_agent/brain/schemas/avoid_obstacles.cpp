@@ -2,7 +2,7 @@
 
 #include "idl/types/config_error.h"
 #include "idl/types/repulsion.h"
-#include "robot_agent/brain/shortest.h"
+#include "idl/types/shortest.h"
 
 namespace tacit {
 
