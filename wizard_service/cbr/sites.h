@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "idl/types/plan_request.h"
+#include "wizard_service/cbr/changes.h"
+#include "wizard_service/cbr/terrain.h"
+
+namespace tacit::cbr {
+
+/// Where a sub-mission begins, and how to get there.
+struct Site {
+  MapPoint at;                   ///< In the map's frame.
+  std::vector<MapPoint> way;     ///< Without where it begins; the last is `at`. Never empty.
+  bool out_of_building = false;  ///< It begins wherever in a building the task before ended.
+};
+
+/// Criticizes the places of `tasks`, indices into the request's, which are done one after another
+/// from the map's start, and finds the ways between them. A place in a wall or out of reach moves
+/// to the nearest one that can be reached, a task for a building that was placed in the open into
+/// the hallway of the nearest one. Each change is told.
+[[nodiscard]] std::vector<Site> place_tasks(const PlanRequest& request,
+                                            const std::vector<std::size_t>& tasks,
+                                            const Terrain& terrain, Changes& changes);
+
+/// Whether a task is done by going through a building.
+[[nodiscard]] bool is_for_building(const PlacedTask& task);
+
+}  // namespace tacit::cbr
