@@ -157,6 +157,8 @@ void add_generate(CLI::App& map, Exit& ending, const std::shared_ptr<MapWish>& w
   command->add_option("--suspects", wish->office.suspects, "Suspect objects, one of them real")
       ->type_name("N");
   command->add_flag("!--no-sentry", wish->office.sentry, "No yard and no sentry's way");
+  command->add_flag("--approach", wish->office.approach,
+                    "Begin outside, with way points to a way into the building");
   command->add_option("-o,--out", wish->out, "File to make; else it is printed")
       ->type_name("FILE.ovl");
   command->callback([wish, &ending] { ending = generate_map(*wish); });

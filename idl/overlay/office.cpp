@@ -45,7 +45,11 @@ std::int64_t within(std::optional<std::int64_t> wish, const char* what, std::int
 class Architect {
  public:
   Architect(std::uint64_t seed, const OfficeConfig& config)
-      : seed_(seed), sentry_(config.sentry), chance_(seed, "office") {
+      : seed_(seed),
+        sentry_(config.sentry),
+        approach_(config.approach),
+        west_(config.approach ? kMargin + kLawn : kMargin),
+        chance_(seed, "office") {
     decide_numbers(config);
     decide_sizes();
     lay_out(Side::South, rooms_wanted_ / 2);
@@ -61,12 +65,14 @@ class Architect {
     for (std::size_t i = 0; i < rooms_.size(); ++i) draw_room(i);
     draw_suspects();
     if (sentry_) draw_sentry();
+    if (approach_) draw_approach();
     return std::move(map_);
   }
 
  private:
   static constexpr Dm kMargin = 20;
   static constexpr Dm kYard = 80;
+  static constexpr Dm kLawn = 120;  ///< West of the building, for those who come from outside.
   static constexpr Dm kJamb = 6;  ///< Of wall, at least, between a door and the room's corner.
   static constexpr Dm kEntry = 16;
   static constexpr Dm kEnd = 8;  ///< From the hallway's end to the end of its centre line.
@@ -94,7 +100,7 @@ class Architect {
   }
 
   void lay_out(Side side, Dm count) {
-    Dm west = kMargin;
+    Dm west = west_;
     for (Dm i = 0; i < count; ++i) {
       const Dm east = west + between(45, 85);
       rooms_.push_back({side, west, east, true});
@@ -108,12 +114,12 @@ class Architect {
     for (const Side side : {Side::South, Side::North}) {
       Dm reach = 0;
       for (const Room& room : rooms_) reach = room.side == side ? room.east : reach;
-      const Dm from = reach - kMargin;
-      const Dm to = east_ - kMargin;
+      const Dm from = reach - west_;
+      const Dm to = east_ - west_;
       for (Room& room : rooms_) {
         if (room.side != side) continue;
-        room.west = kMargin + (room.west - kMargin) * to / from;
-        room.east = kMargin + (room.east - kMargin) * to / from;
+        room.west = west_ + (room.west - west_) * to / from;
+        room.east = west_ + (room.east - west_) * to / from;
       }
     }
   }
@@ -152,32 +158,37 @@ class Architect {
          {}});
     add(MapHeader{HeaderKind::Scenario, {"office"}, {}});
     add(MapMeasures{});
-    const Place start{kMargin + 20, middle()};
+    const Place start{kMargin + 20, approach_ ? kMargin + 20 : middle()};
     add_shape(ShapeKind::PassagePoint, "StartPlace*", {start}, 0.2);
     add(MapObject{metres(start), 0.5, Mobility::Fixed, "white"});
   }
 
   void draw_hallway() {
     MapHallway hall{"hallway*", {}, metres({hall_north_ - hall_south_, 0}).x_m, {}};
-    hall.centre_line = {metres({kMargin + kEnd, middle()}), metres({east_ - kEnd, middle()})};
-    hall.outline = {metres({kMargin, hall_south_}), metres({east_, hall_south_}),
-                    metres({east_, hall_north_}), metres({kMargin, hall_north_})};
+    hall.centre_line = {metres({west_ + kEnd, middle()}), metres({east_ - kEnd, middle()})};
+    hall.outline = {metres({west_, hall_south_}), metres({east_, hall_south_}),
+                    metres({east_, hall_north_}), metres({west_, hall_north_})};
     add(std::move(hall), "The hallway");
   }
 
   void draw_outer_walls() {
     title_ = "Outer walls";
-    add_wall({kMargin, kMargin}, {east_, kMargin});
-    add_wall({kMargin, north_}, {east_, north_});
-    add_wall({kMargin, kMargin}, {kMargin, north_});
-    if (!sentry_) {
-      add_wall({east_, kMargin}, {east_, north_});
+    add_wall({west_, kMargin}, {east_, kMargin});
+    add_wall({west_, north_}, {east_, north_});
+    draw_end(west_, approach_);
+    draw_end(east_, sentry_);
+  }
+
+  /// The wall at an end of the building, with or without a way through it into the hallway.
+  void draw_end(Dm x, bool open) {
+    if (!open) {
+      add_wall({x, kMargin}, {x, north_});
       return;
     }
-    add_wall({east_, kMargin}, {east_, middle() - kEntry / 2});
-    add_wall({east_, middle() + kEntry / 2}, {east_, north_});
-    add_shape(ShapeKind::Gap, "entry*", {{east_ - 1, middle()}, {east_ + 1, middle()}},
-              static_cast<double>(kEntry) / 10.0);
+    add_wall({x, kMargin}, {x, middle() - kEntry / 2});
+    add_wall({x, middle() + kEntry / 2}, {x, north_});
+    add_shape(ShapeKind::Gap, x == west_ ? "way in*" : "entry*",
+              {{x - 1, middle()}, {x + 1, middle()}}, static_cast<double>(kEntry) / 10.0);
   }
 
   void draw_room(std::size_t index) {
@@ -231,7 +242,7 @@ class Architect {
     const Dm far = east_ + kYard - 15;
     const Dm low = middle() - 30;
     const std::vector<Place> way{
-        {near, low},     {far, low}, {far, middle()}, {near, middle()}, {kMargin + 35, middle()},
+        {near, low},     {far, low}, {far, middle()}, {near, middle()}, {west_ + 35, middle()},
         {near, middle()}};
     title_ = "A sentry's way";
     for (std::size_t i = 0; i < way.size(); ++i) {
@@ -239,10 +250,24 @@ class Architect {
     }
   }
 
+  /// Points by which one comes over the lawn to the way in.
+  void draw_approach() {
+    const Dm near = west_ - 15;
+    const std::vector<Place> way{{between(kMargin + 30, kMargin + 60), between(kMargin + 40, middle())},
+                                 {between(kMargin + 70, near - 15), between(middle() - 20, north_ - 20)}};
+    title_ = "The way from the start to the building";
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      add_shape(ShapeKind::PassagePoint, "Way" + std::to_string(i + 1), {way[i]}, 0.5);
+    }
+    add_shape(ShapeKind::PassagePoint, "Entry", {{near, middle()}}, 0.5);
+  }
+
   [[nodiscard]] Dm middle() const { return (hall_south_ + hall_north_) / 2; }
 
   std::uint64_t seed_;
   bool sentry_;
+  bool approach_;
+  Dm west_;
   Stream chance_;
   Dm rooms_wanted_ = 0;
   Dm closed_ = 0;

@@ -44,6 +44,22 @@ TEST(RandomOffice, HasEveryOpenRoomAndNoClosedOneWithinReach) {
   }
 }
 
+TEST(RandomOffice, CanBeComeToFromOutsideByWayPoints) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const OverlayMap office = random_office(seed, {.approach = true});
+    ASSERT_EQ(findings(office), "") << "seed " << seed;
+    const MapPlan plan = plan_of(office, Doors::Open);
+    const Flood flood(plan);
+    ASSERT_FALSE(holds_point(plan.halls.front().outline, *plan.ground.start));
+    std::size_t way_points = 0;
+    for (const PlanPoint& point : plan.points) {
+      ASSERT_TRUE(flood.reaches(point.at)) << "seed " << seed << ' ' << point.name;
+      way_points += point.name.starts_with("Way") || point.name == "Entry" ? 1 : 0;
+    }
+    ASSERT_EQ(way_points, 3U);
+  }
+}
+
 TEST(RandomOffice, HasItsSuspectsInOpenRoomsEachInAnotherAndOneThatCanBeMoved) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const MapPlan plan = plan_of(random_office(seed, {}), Doors::Open);
