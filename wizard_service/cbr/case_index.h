@@ -24,11 +24,11 @@ class CaseIndex {
   CaseIndex(CaseIndex&&) noexcept;
   CaseIndex& operator=(CaseIndex&&) noexcept;
 
-  /// A case of that id must not be in it.
+  /// Its features are in range; no case of that id is in it.
   void insert(const CaseHead& head);
   /// Returns false when no case has that id.
   bool erase(CaseId id);
-  /// Puts a case of the same id in its place.
+  /// Puts it in the place of the case of the same id.
   void update(const CaseHead& head);
   [[nodiscard]] std::size_t size() const;
 
