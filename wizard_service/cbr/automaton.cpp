@@ -21,6 +21,16 @@ PlanState* find_state(RobotPlan& robot, std::string_view name) {
   return found == robot.states.end() ? nullptr : &*found;
 }
 
+std::string entry_of(const RobotPlan& part) {
+  const PlanState* start = find_state(part, kStart);
+  const bool waits = start != nullptr && behaviour_name(start->behaviour) == "Stop";
+  if (waits && start->rules.size() == 1 &&
+      behaviour_name(start->rules.front().trigger) == "Immediate") {
+    return start->rules.front().target;
+  }
+  return std::string(kStart);
+}
+
 bool is_end(const PlanState& state) {
   const std::string name = behaviour_name(state.behaviour);
   return name == "Terminate" || name == "TerminateMission" ||

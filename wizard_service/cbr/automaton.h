@@ -15,6 +15,10 @@ inline constexpr std::string_view kStart = "Start";
 [[nodiscard]] const PlanState* find_state(const RobotPlan& robot, std::string_view name);
 [[nodiscard]] PlanState* find_state(RobotPlan& robot, std::string_view name);
 
+/// The name of the state in which a part does something at last: that behind Start when Start is
+/// but a Stop that an Immediate leads out of.
+[[nodiscard]] std::string entry_of(const RobotPlan& part);
+
 /// Whether the robot's part is over in it: Terminate, TerminateMission, and a Stop that nothing
 /// leads out of.
 [[nodiscard]] bool is_end(const PlanState& state);

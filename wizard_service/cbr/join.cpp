@@ -80,17 +80,6 @@ bool ends_for_all(const RobotPlan& part) {
                      [](const PlanState* one) { return ends_for_all(*one); });
 }
 
-/// The state in which a part does something at last: Start is mostly but a place to begin.
-std::string entry_of(const RobotPlan& part) {
-  const PlanState* start = find_state(part, kStart);
-  const bool waits = start != nullptr && behaviour_name(start->behaviour) == "Stop";
-  if (waits && start->rules.size() == 1 &&
-      behaviour_name(start->rules.front().trigger) == "Immediate") {
-    return start->rules.front().target;
-  }
-  return std::string(kStart);
-}
-
 /// Builds one robot's automaton out of its parts of the pieces.
 class Chain {
  public:
@@ -180,12 +169,13 @@ class Chain {
   }
 
   void leave_building(const std::string& number) {
-    append("Way to " + number, behaviour("LeaveRoom"), to_next("InHallway"));
+    append(std::string(kWayLabel) + number, behaviour("LeaveRoom"), to_next("InHallway"));
     if (here_) go(number, *here_, *here_);
   }
 
   void go(const std::string& number, const MapPoint& from, const MapPoint& to) {
-    append("Way to " + number, behaviour("GoTo", given(from, to)), there("AtGoal", to));
+    append(std::string(kWayLabel) + number, behaviour("GoTo", given(from, to)),
+           there("AtGoal", to));
   }
 
   void deploy(const Piece& piece, const MapPoint& from) {
@@ -243,7 +233,7 @@ std::string release_of(const Piece& piece, bool may_end_mission) {
                                    [](const RobotPlan& one) { return !ends_by_itself(one); });
   const bool for_all = std::any_of(parts.begin(), parts.end(),
                                    [](const RobotPlan& one) { return ends_for_all(one); });
-  return endless && for_all && !may_end_mission ? "Task " + piece.number + " is over." : "";
+  return endless && for_all && !may_end_mission ? release_word(piece.number) : "";
 }
 
 void tell_joints(const std::vector<Piece>& pieces, Changes& changes) {
@@ -253,7 +243,19 @@ void tell_joints(const std::vector<Piece>& pieces, Changes& changes) {
   }
 }
 
+constexpr std::string_view kReleaseBegin = "Task ";
+constexpr std::string_view kReleaseEnd = " is over.";
+
 }  // namespace
+
+std::string release_word(std::string_view number) {
+  return std::string(kReleaseBegin) + std::string(number) + std::string(kReleaseEnd);
+}
+
+bool is_release_word(std::string_view word) {
+  return word.starts_with(kReleaseBegin) && word.ends_with(kReleaseEnd) &&
+         word.size() > kReleaseBegin.size() + kReleaseEnd.size();
+}
 
 Plan join(const std::vector<Piece>& pieces, const Terrain& terrain, bool alone, Changes& changes) {
   Plan plan;

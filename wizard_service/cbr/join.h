@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "wizard_service/cbr/changes.h"
@@ -25,6 +27,13 @@ struct Piece {
 /// piece may end the mission for all; otherwise it ends by a word as well.
 [[nodiscard]] Plan join(const std::vector<Piece>& pieces, const Terrain& terrain, bool alone,
                         Changes& changes);
+
+/// What the labels of states on the way to a sub-mission begin with.
+inline constexpr std::string_view kWayLabel = "Way to ";
+
+/// "Task 2 is over.": the word by which robots leave a piece.
+[[nodiscard]] std::string release_word(std::string_view number);
+[[nodiscard]] bool is_release_word(std::string_view word);
 
 /// Puts `more` robots and what they refer to beside those of `plan`, under names of their own.
 void add_robots(Plan& plan, const Plan& more);
