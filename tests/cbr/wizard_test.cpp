@@ -1,0 +1,149 @@
+#include "wizard_service/cbr/wizard.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "idl/cdl/check.h"
+#include "idl/overlay/reader.h"
+#include "idl/types/config_error.h"
+#include "wizard_service/cbr/plan_cdl.h"
+
+namespace tacit::cbr {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(fs::path(TACIT_SOURCE_DIR) / file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// The shipped missions as cases.
+class Shelf final : public CaseSource {
+ public:
+  Shelf() {
+    add("biohazard", Task::Biohazard, false);
+    add("biohazard_pair", Task::Biohazard, true);
+    add("eod", Task::ExplosiveOrdnance, false);
+  }
+  const Case& find(CaseId id) override { return cases_.at(id - 1); }
+  [[nodiscard]] CaseIndex index() const {
+    std::vector<CaseHead> heads;
+    for (const Case& one : cases_) heads.push_back({one.id, one.features, 0});
+    return CaseIndex(heads);
+  }
+
+ private:
+  void add(const std::string& mission, Task task, bool enemy) {
+    Case one;
+    one.id = cases_.size() + 1;
+    one.title = mission;
+    one.features = usual_features(task);
+    one.features.handles_enemy = enemy;
+    one.plan = plan_of(text_of("deploy/missions/" + mission + ".cdl"), mission);
+    one.features.robots = static_cast<int>(one.plan.robots.size());
+    cases_.push_back(std::move(one));
+  }
+  std::vector<Case> cases_;
+};
+
+Terrain office() { return Terrain(read_overlay(text_of("deploy/maps/office.ovl")).map); }
+
+PlanRequest request(std::vector<PlacedTask> tasks, int robots, bool enemy) {
+  PlanRequest request;
+  request.tasks = std::move(tasks);
+  request.robots = robots;
+  request.enemy = enemy;
+  return request;
+}
+
+PlacedTask placed(Task task, double x_m, double y_m) { return {task, x_m, y_m, {}, {}, {}}; }
+
+Answer asked(const PlanRequest& wanted) {
+  Shelf shelf;
+  return answer(wanted, office(), shelf.index(), shelf);
+}
+
+bool tells(const Proposal& proposal, std::string_view rule) {
+  const auto& changes = proposal.offered.changes;
+  return std::any_of(changes.begin(), changes.end(),
+                     [&](const PlanChange& one) { return one.rule == rule; });
+}
+
+TEST(Wizard, OffersThePlanOfTheBestCaseFirst) {
+  const Answer alone = asked(request({placed(Task::Biohazard, 20, 22)}, 1, false));
+  ASSERT_FALSE(alone.proposals.empty());
+  EXPECT_EQ(alone.proposals[0].offered.cases[0].title, "biohazard");
+  EXPECT_EQ(alone.proposals[0].offered.stars, 5.0);
+  const Answer pair = asked(request({placed(Task::Biohazard, 20, 22)}, 2, true));
+  EXPECT_EQ(pair.proposals[0].offered.cases[0].title, "biohazard_pair");
+  EXPECT_EQ(pair.proposals[0].plan.robots.size(), 2U);
+}
+
+TEST(Wizard, OffersMissionsWithoutErrors) {
+  for (const int robots : {1, 2, 3, 10}) {
+    for (const bool enemy : {false, true}) {
+      const Answer answer =
+          asked(request({placed(Task::Biohazard, 20, 22), placed(Task::ExplosiveOrdnance, 41, 10)},
+                        robots, enemy));
+      for (const Proposal& one : answer.proposals) {
+        EXPECT_FALSE(cdl::has_error(cdl::check_text(one.offered.mission))) << one.offered.mission;
+        EXPECT_EQ(one.plan.robots.size(), static_cast<std::size_t>(robots));
+      }
+    }
+  }
+}
+
+TEST(Wizard, MovesATaskThatLiesInNoBuildingIntoOne) {
+  const Answer answer = asked(request({placed(Task::Biohazard, 12, 8)}, 1, false));
+  EXPECT_TRUE(tells(answer.proposals[0], "no-building"));
+}
+
+TEST(Wizard, TellsThatNobodyCoversOneRobot) {
+  const Answer answer = asked(request({placed(Task::Biohazard, 20, 22)}, 1, true));
+  EXPECT_TRUE(tells(answer.proposals[0], "no-cover"));
+  EXPECT_LT(answer.proposals[0].offered.stars, 5.0);
+}
+
+TEST(Wizard, RefusesATaskOutsideTheMap) {
+  EXPECT_THROW((void)asked(request({placed(Task::Biohazard, 100, 22)}, 1, false)), ConfigError);
+}
+
+TEST(Wizard, RefusesAnEmptyRequestAndTooManyRobots) {
+  EXPECT_THROW((void)asked(request({}, 1, false)), ConfigError);
+  EXPECT_THROW((void)asked(request({placed(Task::Biohazard, 20, 22)}, 1000, false)), ConfigError);
+}
+
+TEST(Wizard, RefusesATaskThatNoCaseIsFor) {
+  EXPECT_THROW((void)asked(request({placed(Task::SearchAndRescue, 20, 22)}, 1, false)),
+               ConfigError);
+}
+
+TEST(Wizard, DrawsAStraightWayWhenItIsLeftOut) {
+  PlanRequest naive = request({placed(Task::Biohazard, 20, 22)}, 2, false);
+  naive.naive = true;
+  const Answer answer = asked(naive);
+  ASSERT_EQ(answer.proposals.size(), 1U);
+  EXPECT_EQ(answer.proposals[0].plan.robots.size(), 2U);
+  EXPECT_FALSE(cdl::has_error(cdl::check_text(answer.proposals[0].offered.mission)));
+}
+
+TEST(Terrain, LeadsRoundWallsThroughDoors) {
+  const Terrain terrain = office();
+  const MapPoint library{26, 14};
+  EXPECT_TRUE(terrain.is_reachable(library));
+  EXPECT_GE(terrain.route({4, 22}, library).size(), 2U);
+  const MapPoint store{16, 15};  // It has no door.
+  EXPECT_TRUE(terrain.is_free(store));
+  EXPECT_FALSE(terrain.is_reachable(store));
+  EXPECT_TRUE(terrain.route({4, 22}, store).empty());
+}
+
+}  // namespace
+}  // namespace tacit::cbr
