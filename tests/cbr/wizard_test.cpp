@@ -3,55 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "idl/cdl/check.h"
 #include "idl/overlay/reader.h"
 #include "idl/types/config_error.h"
-#include "wizard_service/cbr/plan_cdl.h"
+#include "tests/cbr/shelf.h"
 
 namespace tacit::cbr {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string text_of(const std::string& file) {
-  std::ifstream in(fs::path(TACIT_SOURCE_DIR) / file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-/// The shipped missions as cases.
-class Shelf final : public CaseSource {
- public:
-  Shelf() {
-    add("biohazard", Task::Biohazard, false);
-    add("biohazard_pair", Task::Biohazard, true);
-    add("eod", Task::ExplosiveOrdnance, false);
-  }
-  const Case& find(CaseId id) override { return cases_.at(id - 1); }
-  [[nodiscard]] CaseIndex index() const {
-    std::vector<CaseHead> heads;
-    for (const Case& one : cases_) heads.push_back({one.id, one.features, 0});
-    return CaseIndex(heads);
-  }
-
- private:
-  void add(const std::string& mission, Task task, bool enemy) {
-    Case one;
-    one.id = cases_.size() + 1;
-    one.title = mission;
-    one.features = usual_features(task);
-    one.features.handles_enemy = enemy;
-    one.plan = plan_of(text_of("deploy/missions/" + mission + ".cdl"), mission);
-    one.features.robots = static_cast<int>(one.plan.robots.size());
-    cases_.push_back(std::move(one));
-  }
-  std::vector<Case> cases_;
-};
+using testing::Shelf;
+using testing::text_of;
 
 Terrain office() { return Terrain(read_overlay(text_of("deploy/maps/office.ovl")).map); }
 
