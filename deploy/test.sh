@@ -35,7 +35,7 @@ done
 deploy/build.sh $install --preset "$preset"
 if command -v clang-format-14 >/dev/null; then
   echo "== format" >&2
-  find idl robot_agent world_server console deploy tests \( -name '*.h' -o -name '*.cpp' \) \
+  find idl robot_agent world_server console wizard_service deploy tests \( -name '*.h' -o -name '*.cpp' \) \
     -exec clang-format-14 --dry-run --Werror {} +
 else
   echo "== format: not checked, clang-format-14 is not installed" >&2

@@ -17,8 +17,8 @@ struct OfficeConfig {
   std::optional<std::int64_t> suspects = {};
   /// A yard before the entry, and a sentry's way through yard and hallway.
   bool sentry = true;
-  /// The start place on a lawn west of the building, and points "Way1", "Way2" and "Entry" from there
-  /// to a way in at the hallway's west end.
+  /// The start place on a lawn west of the building, and points "Way1", "Way2" and "Entry" from
+  /// there to a way in at the hallway's west end.
   bool approach = false;
 };
 

@@ -19,12 +19,12 @@ std::string listed(const Findings& findings) {
 std::vector<SourceFile> pure_sources() {
   return sources(TACIT_SOURCE_DIR,
                  {"idl/types", "idl/cdl", "idl/overlay", "robot_agent/brain", "world_server/world",
-                  "console/metrics", "console/debrief", "console/report"});
+                  "console/metrics", "console/debrief", "console/report", "wizard_service/cbr"});
 }
 
 std::vector<SourceFile> all_sources() {
-  return sources(TACIT_SOURCE_DIR,
-                 {"idl", "robot_agent", "world_server", "console", "deploy", "tests"});
+  return sources(TACIT_SOURCE_DIR, {"idl", "robot_agent", "world_server", "console",
+                                    "wizard_service", "deploy", "tests"});
 }
 
 LinkGraph link_graph() {

@@ -5,6 +5,8 @@
 #include <queue>
 #include <utility>
 
+#include "wizard_service/cbr/places.h"
+
 namespace tacit::cbr {
 namespace {
 
@@ -17,11 +19,7 @@ constexpr float kComfortable = 0.6F;
 constexpr double kFinest = 0.25;
 constexpr double kMostCells = 640'000.0;
 
-double distance(const MapPoint& a, const MapPoint& b) {
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
-}
-
-double distance(const MapPoint& p, const MapSegment& wall) {
+double distance_to(const MapSegment& wall, const MapPoint& p) {
   const double dx = wall.to.x_m - wall.from.x_m;
   const double dy = wall.to.y_m - wall.from.y_m;
   const double square = dx * dx + dy * dy;
@@ -70,7 +68,7 @@ Grid::Grid(const MapGround& ground, const MapPoint& start)
   for (const MapSegment& wall : ground.walls) {
     lower_clearance({std::min(wall.from.x_m, wall.to.x_m), std::min(wall.from.y_m, wall.to.y_m)},
                     {std::max(wall.from.x_m, wall.to.x_m), std::max(wall.from.y_m, wall.to.y_m)},
-                    [&](const MapPoint& p) { return distance(p, wall); });
+                    [&](const MapPoint& p) { return distance_to(wall, p); });
   }
   for (const std::vector<double>& disc : ground.discs) {
     const MapPoint centre{disc[0], disc[1]};

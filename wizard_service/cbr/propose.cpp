@@ -1,12 +1,12 @@
 #include "wizard_service/cbr/propose.h"
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 #include <set>
 
 #include "idl/types/config_error.h"
 #include "wizard_service/cbr/features.h"
+#include "wizard_service/cbr/places.h"
 #include "wizard_service/cbr/request.h"
 
 namespace tacit::cbr {
@@ -44,8 +44,9 @@ std::vector<double> legs_of(const PlanRequest& request, const Terrain& terrain) 
   std::vector<double> legs;
   MapPoint before = terrain.start();
   for (const PlacedTask& task : request.tasks) {
-    legs.push_back(1.0 + std::hypot(task.x_m - before.x_m, task.y_m - before.y_m));
-    before = {task.x_m, task.y_m};
+    const MapPoint here{task.x_m, task.y_m};
+    legs.push_back(1.0 + distance(here, before));
+    before = here;
   }
   return legs;
 }

@@ -1,10 +1,10 @@
 #include "wizard_service/cbr/sites.h"
 
-#include <cmath>
 #include <string>
 
 #include "wizard_service/cbr/automaton.h"
 #include "wizard_service/cbr/features.h"
+#include "wizard_service/cbr/places.h"
 
 namespace tacit::cbr {
 namespace {
@@ -12,9 +12,7 @@ namespace {
 /// Nearer places are the same.
 constexpr double kSame = 0.05;
 
-bool same(const MapPoint& a, const MapPoint& b) {
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) < kSame;
-}
+bool same(const MapPoint& a, const MapPoint& b) { return distance(a, b) < kSame; }
 
 std::string told(const MapPoint& place) { return '(' + place_text(place.x_m, place.y_m) + ')'; }
 

@@ -5,16 +5,13 @@
 #include <limits>
 
 #include "wizard_service/cbr/grid.h"
+#include "wizard_service/cbr/places.h"
 
 namespace tacit::cbr {
 namespace {
 
 /// How far a robot goes into a hallway before its task begins, so that it is in it for certain.
 constexpr double kInside = 1.0;
-
-double distance(const MapPoint& a, const MapPoint& b) {
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
-}
 
 MapPoint nearest_on(const MapPoint& p, const MapPoint& a, const MapPoint& b) {
   const double dx = b.x_m - a.x_m;
