@@ -78,7 +78,9 @@ const std::vector<Place>& places() {
       {std::regex(R"(<toml\+\+/.*)"), std::regex(R"(idl/scenario/document\.cpp)"), "toml++"},
       {std::regex(R"(<tao/pegtl.*)"), std::regex(R"(idl/cdl/.*)"), "PEGTL"},
       {std::regex(R"(<SQLiteCpp/.*|<sqlite3.*|<openssl/.*)"),
-       std::regex(R"(console/record/.*|idl/scenario/digest\.cpp|tests/.*)"), "storage"},
+       std::regex(R"(console/record/.*|wizard_service/cases/case_(file|row|base)\.\w+|)"
+                  R"(idl/scenario/digest\.cpp|tests/.*)"),
+       "storage"},
       {std::regex(R"(<nlohmann/.*)"),
        std::regex(R"(robot_agent/brain/learning/policy_text\.cpp|console/record/.*|)"
                   R"(deploy/tacit/.*|tests/.*)"),
