@@ -73,7 +73,7 @@ class Architect {
   static constexpr Dm kMargin = 20;
   static constexpr Dm kYard = 80;
   static constexpr Dm kLawn = 120;  ///< West of the building, for those who come from outside.
-  static constexpr Dm kJamb = 6;  ///< Of wall, at least, between a door and the room's corner.
+  static constexpr Dm kJamb = 6;    ///< Of wall, at least, between a door and the room's corner.
   static constexpr Dm kEntry = 16;
   static constexpr Dm kEnd = 8;  ///< From the hallway's end to the end of its centre line.
 
@@ -253,8 +253,9 @@ class Architect {
   /// Points by which one comes over the lawn to the way in.
   void draw_approach() {
     const Dm near = west_ - 15;
-    const std::vector<Place> way{{between(kMargin + 30, kMargin + 60), between(kMargin + 40, middle())},
-                                 {between(kMargin + 70, near - 15), between(middle() - 20, north_ - 20)}};
+    const std::vector<Place> way{
+        {between(kMargin + 30, kMargin + 60), between(kMargin + 40, middle())},
+        {between(kMargin + 70, near - 15), between(middle() - 20, north_ - 20)}};
     title_ = "The way from the start to the building";
     for (std::size_t i = 0; i < way.size(); ++i) {
       add_shape(ShapeKind::PassagePoint, "Way" + std::to_string(i + 1), {way[i]}, 0.5);
