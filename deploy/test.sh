@@ -7,8 +7,8 @@ usage() {
   cat <<END
 usage: deploy/test.sh [--no-install] [--preset NAME] [-- OPTION...]
 
-Installs what is missing, builds, runs all tests, and checks the sources' format when
-clang-format-14 is there.
+Checks the sources' format when clang-format-14 is there, installs what is missing, builds,
+and runs all tests.
 
   --no-install    do not call apt-get
   --preset NAME   dev, release (default), asan, tsan or coverage
@@ -32,7 +32,6 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-deploy/build.sh $install --preset "$preset"
 if command -v clang-format-14 >/dev/null; then
   echo "== format" >&2
   find idl robot_agent world_server console wizard_service deploy tests \( -name '*.h' -o -name '*.cpp' \) \
@@ -40,5 +39,6 @@ if command -v clang-format-14 >/dev/null; then
 else
   echo "== format: not checked, clang-format-14 is not installed" >&2
 fi
+deploy/build.sh $install --preset "$preset"
 echo "== tests of build/$preset" >&2
 exec ctest --preset "$preset" --parallel 2 --output-on-failure "$@"
