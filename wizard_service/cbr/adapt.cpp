@@ -28,6 +28,8 @@ void fit_team(Plan& plan, const Fit& fit, Changes& changes) {
       std::to_string(before), std::to_string(wanted));
 }
 
+constexpr std::string_view kGoal = "Goal_Location";
+
 constexpr std::array<std::string_view, 6> kMoving{"GoTo",   "MoveToward", "MoveTo",
                                                   "Follow", "StayWith",   "MoveAway"};
 
@@ -57,6 +59,33 @@ void fit_environment(Plan& plan, const Case& from, const Fit& fit, Changes& chan
                     ", sphere " + number_text(gains.sphere_m) + " m");
 }
 
+/// Counts the goals that it sets.
+std::size_t set_goals(cdl::Expression& expression, std::string_view name, const MapPoint& place) {
+  std::size_t set = 0;
+  if (const std::string* goal = parameter(expression, kGoal); goal != nullptr && *goal == name) {
+    set_parameter(expression, kGoal, place_text(place.x_m, place.y_m));
+    ++set;
+  }
+  for (cdl::Item& item : expression.items) set += set_goals(item.value, name, place);
+  return set;
+}
+
+void fit_place(Plan& plan, std::string_view name, const MapPoint& place, const Fit& fit,
+               Changes& changes) {
+  std::size_t set = 0;
+  for (cdl::Statement& shared : plan.shared) set += set_goals(shared.body, name, place);
+  for (RobotPlan& robot : plan.robots) {
+    for (PlanState& state : robot.states) {
+      set += set_goals(state.behaviour, name, place);
+      for (PlanRule& rule : state.rules) set += set_goals(rule.trigger, name, place);
+    }
+  }
+  if (set == 0) return;
+  changes.adapt("place",
+                fit.task + " goes to a place that its case calls " + std::string(name) + '.',
+                std::string(name), '(' + place_text(place.x_m, place.y_m) + ')');
+}
+
 void fit_speeds(Plan& plan, const Fit& fit) {
   for (RobotPlan& robot : plan.robots) {
     robot.max_mps = fit.max_mps;
@@ -75,6 +104,8 @@ Plan adapt(const Case& from, const Fit& fit, Changes& changes) {
   Plan plan = from.plan;
   fit_team(plan, fit, changes);
   fit_environment(plan, from, fit, changes);
+  fit_place(plan, kBeginPlace, fit.begin, fit, changes);
+  fit_place(plan, kOutsidePlace, fit.outside, fit, changes);
   fit_speeds(plan, fit);
   return plan;
 }

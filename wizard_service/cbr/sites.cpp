@@ -1,5 +1,7 @@
 #include "wizard_service/cbr/sites.h"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include "wizard_service/cbr/automaton.h"
@@ -11,6 +13,11 @@ namespace {
 
 /// Nearer places are the same.
 constexpr double kSame = 0.05;
+
+/// How far before a building's way in a robot is out of the way of others.
+constexpr double kBefore = 2.0;
+/// From one place on a way that is looked at to the next.
+constexpr double kStep = 0.25;
 
 bool same(const MapPoint& a, const MapPoint& b) { return distance(a, b) < kSame; }
 
@@ -31,6 +38,7 @@ class Surveyor {
     // Without a way the robot tries all the same, straight on.
     if (site.way.empty()) site.way.push_back(site.at);
     tell_way(site);
+    find_outside(site);
     here_ = site.at;
     in_building_ = is_for_building(task) && terrain_.in_building(site.at);
     return site;
@@ -75,6 +83,27 @@ class Surveyor {
     return *near;
   }
 
+  /// The last place on the way that lies before the building; on a way within it, that of the task
+  /// before.
+  void find_outside(Site& site) {
+    std::vector<MapPoint> before;
+    MapPoint from = here_;
+    for (const MapPoint& to : site.way) {
+      const double length = distance(from, to);
+      for (double along = 0.0; along < length; along += kStep) {
+        const MapPoint place{from.x_m + along / length * (to.x_m - from.x_m),
+                             from.y_m + along / length * (to.y_m - from.y_m)};
+        if (!terrain_.in_building(place)) before.push_back(place);
+      }
+      from = to;
+    }
+    constexpr auto kBack = static_cast<std::size_t>(kBefore / kStep);
+    if (!before.empty() && terrain_.in_building(site.at)) {
+      outside_ = before[before.size() - 1 - std::min(kBack, before.size() - 1)];
+    }
+    site.outside = outside_.value_or(site.at);
+  }
+
   void tell_way(const Site& site) {
     if (site.way.size() < 2) return;
     std::string way;
@@ -88,6 +117,7 @@ class Surveyor {
   const Terrain& terrain_;
   Changes& changes_;
   MapPoint here_;
+  std::optional<MapPoint> outside_;
   bool in_building_ = false;
   std::string name_;
 };

@@ -12,6 +12,7 @@ namespace tacit::cbr {
 struct Site {
   MapPoint at;                   ///< In the map's frame.
   std::vector<MapPoint> way;     ///< Without where it begins; the last is `at`. Never empty.
+  MapPoint outside;              ///< Where the way there came into the building from; else `at`.
   bool out_of_building = false;  ///< It begins wherever in a building the task before ended.
 };
 

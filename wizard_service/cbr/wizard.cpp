@@ -80,7 +80,7 @@ class Draft {
       const Case& from = cases_.find(outline.cases[task].id);
       offered.cases.push_back(used(from, task, squad));
       pieces.push_back({label(task), std::to_string(task + 1),
-                        adapt(from, fit(task, squad), changes_), sites[i]});
+                        adapt(from, fit(task, squad, sites[i]), changes_), sites[i]});
     }
     return join(pieces, terrain_, outline.squads.size() == 1, changes_);
   }
@@ -89,9 +89,14 @@ class Draft {
     return std::string(word(request_.tasks[task].task)) + ' ' + std::to_string(task + 1);
   }
 
-  [[nodiscard]] Fit fit(std::size_t task, const Squad& squad) const {
+  [[nodiscard]] Fit fit(std::size_t task, const Squad& squad, const Site& site) const {
     const Query query = query_for(request_, request_.tasks[task]);
-    return {squad.robots, *query.environment, request_.max_velocity_mps, base_mps(),
+    return {squad.robots,
+            *query.environment,
+            request_.max_velocity_mps,
+            base_mps(),
+            site.at,
+            site.outside,
             "Task " + std::to_string(task + 1) + ", " +
                 std::string(word(request_.tasks[task].task)) + ','};
   }
