@@ -1,32 +1,48 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "wizard_service/cases/case_text.h"
 #include "wizard_service/cbr/case_index.h"
-#include "wizard_service/cbr/features.h"
-#include "wizard_service/cbr/plan_cdl.h"
 
 namespace tacit::cbr::testing {
 
-inline std::string text_of(const std::string& file) {
+/// The text of a file of the source tree.
+inline std::string source_text(const std::filesystem::path& file) {
   std::ifstream in(std::filesystem::path(TACIT_SOURCE_DIR) / file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// The shipped missions as cases.
+/// The files of the cases that ship, by name.
+inline std::vector<std::filesystem::path> seed_files() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(TACIT_SOURCE_DIR "/wizard_service/seed")) {
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The cases that ship, or those of them whose files' names begin with `prefix`; each one's origin
+/// is its file's name without the ending.
 class Shelf final : public CaseSource {
  public:
-  Shelf() {
-    add("biohazard", Task::Biohazard, false);
-    add("biohazard_pair", Task::Biohazard, true);
-    add("eod", Task::ExplosiveOrdnance, false);
-    for (const int robots : {1, 2}) add_way_points(robots);
+  explicit Shelf(std::string_view prefix = {}) {
+    for (const std::filesystem::path& file : seed_files()) {
+      if (!file.stem().string().starts_with(prefix)) continue;
+      cases_.push_back(case_from(source_text(file), file.stem().string()));
+      cases_.back().id = cases_.size();
+    }
   }
   const Case& find(CaseId id) override { return cases_.at(id - 1); }
+  [[nodiscard]] const std::vector<Case>& all() const { return cases_; }
   [[nodiscard]] CaseIndex index() const {
     std::vector<CaseHead> heads;
     for (const Case& one : cases_) heads.push_back({one.id, one.features, 0});
@@ -34,30 +50,6 @@ class Shelf final : public CaseSource {
   }
 
  private:
-  void add(const std::string& mission, Task task, bool enemy) {
-    Case one;
-    one.id = cases_.size() + 1;
-    one.title = mission;
-    one.features = usual_features(task);
-    one.features.handles_enemy = enemy;
-    one.plan = plan_of(text_of("deploy/missions/" + mission + ".cdl"), mission);
-    one.features.robots = static_cast<int>(one.plan.robots.size());
-    cases_.push_back(std::move(one));
-  }
-  /// Being there is all: what brings a robot there comes before the case.
-  void add_way_points(int robots) {
-    Case one;
-    one.id = cases_.size() + 1;
-    one.title = "way points";
-    one.features = usual_features(Task::Waypoints);
-    one.features.robots = robots;
-    RobotPlan robot;
-    robot.name = "Scout";
-    robot.states = {{"Start", "Start", behaviour("Stop"), {{behaviour("Immediate"), "$AN_1"}}},
-                    {"$AN_1", "Done", behaviour("Terminate"), {}}};
-    one.plan.robots.assign(static_cast<std::size_t>(robots), robot);
-    cases_.push_back(std::move(one));
-  }
   std::vector<Case> cases_;
 };
 

@@ -15,9 +15,9 @@ namespace tacit::cbr {
 namespace {
 
 using testing::Shelf;
-using testing::text_of;
+using testing::source_text;
 
-Terrain office() { return Terrain(read_overlay(text_of("deploy/maps/office.ovl")).map); }
+Terrain office() { return Terrain(read_overlay(source_text("deploy/maps/office.ovl")).map); }
 
 PlanRequest request(std::vector<PlacedTask> tasks, int robots, bool enemy) {
   PlanRequest request;
@@ -34,6 +34,11 @@ Answer asked(const PlanRequest& wanted) {
   return answer(wanted, office(), shelf.index(), shelf);
 }
 
+/// The file of the first case of the best plan.
+std::string first_case(const Answer& answer) {
+  return Shelf().find(answer.proposals.at(0).offered.cases.at(0).id).origin;
+}
+
 bool tells(const Proposal& proposal, std::string_view rule) {
   const auto& changes = proposal.offered.changes;
   return std::any_of(changes.begin(), changes.end(),
@@ -43,10 +48,10 @@ bool tells(const Proposal& proposal, std::string_view rule) {
 TEST(Wizard, OffersThePlanOfTheBestCaseFirst) {
   const Answer alone = asked(request({placed(Task::Biohazard, 20, 22)}, 1, false));
   ASSERT_FALSE(alone.proposals.empty());
-  EXPECT_EQ(alone.proposals[0].offered.cases[0].title, "biohazard");
+  EXPECT_EQ(first_case(alone), "biohazard_1");
   EXPECT_EQ(alone.proposals[0].offered.stars, 5.0);
   const Answer pair = asked(request({placed(Task::Biohazard, 20, 22)}, 2, true));
-  EXPECT_EQ(pair.proposals[0].offered.cases[0].title, "biohazard_pair");
+  EXPECT_EQ(first_case(pair), "biohazard_2_enemy");
   EXPECT_EQ(pair.proposals[0].plan.robots.size(), 2U);
 }
 
@@ -75,6 +80,17 @@ TEST(Wizard, TellsThatNobodyCoversOneRobot) {
   EXPECT_LT(answer.proposals[0].offered.stars, 5.0);
 }
 
+TEST(Wizard, FindsThePlacesOfACaseThatBringsSomethingOut) {
+  const Terrain terrain(read_overlay(source_text("deploy/maps/rescue.ovl")).map);
+  Shelf shelf;
+  const Answer answer = cbr::answer(request({placed(Task::SearchAndRescue, 27, 30)}, 1, false),
+                                    terrain, shelf.index(), shelf);
+  EXPECT_TRUE(tells(answer.proposals[0], "place"));
+  const std::string& mission = answer.proposals[0].offered.mission;
+  EXPECT_EQ(mission.find("{Begin}"), std::string::npos) << mission;
+  EXPECT_EQ(mission.find("{Outside}"), std::string::npos) << mission;
+}
+
 TEST(Wizard, RefusesATaskOutsideTheMap) {
   EXPECT_THROW((void)asked(request({placed(Task::Biohazard, 100, 22)}, 1, false)), ConfigError);
 }
@@ -85,7 +101,9 @@ TEST(Wizard, RefusesAnEmptyRequestAndTooManyRobots) {
 }
 
 TEST(Wizard, RefusesATaskThatNoCaseIsFor) {
-  EXPECT_THROW((void)asked(request({placed(Task::SearchAndRescue, 20, 22)}, 1, false)),
+  Shelf shelf("waypoints");
+  EXPECT_THROW((void)answer(request({placed(Task::SearchAndRescue, 20, 22)}, 1, false), office(),
+                            shelf.index(), shelf),
                ConfigError);
 }
 

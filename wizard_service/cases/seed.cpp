@@ -45,6 +45,14 @@ void seed_if_new(CaseBase& base, const fs::path& folder) {
   base.store(cases);
 }
 
+fs::path shipped_seeds() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  fs::path installed = program.parent_path().parent_path() / "share/tacit/seed";
+  if (fs::is_directory(installed, error)) return installed;
+  return TACIT_SOURCE_SEEDS;
+}
+
 fs::path usual_case_file() {
   // NOLINTBEGIN(concurrency-mt-unsafe)
   const char* data = std::getenv("XDG_DATA_HOME");

@@ -11,6 +11,10 @@ namespace tacit::cbr {
 /// `case_from` does when a file holds no case.
 void seed_if_new(CaseBase& base, const std::filesystem::path& folder);
 
+/// The folder of the cases that ship: share/tacit/seed beside the folder of the program, else that
+/// of the source tree.
+[[nodiscard]] std::filesystem::path shipped_seeds();
+
 /// Where a person's cases are: $XDG_DATA_HOME/tacit/cases.db, else ~/.local/share/tacit/cases.db.
 /// Throws ConfigError when there is neither variable.
 [[nodiscard]] std::filesystem::path usual_case_file();
