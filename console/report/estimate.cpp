@@ -1,7 +1,10 @@
 #include "console/report/estimate.h"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -29,6 +32,29 @@ std::optional<Sample> sample_of(std::span<const double> values) {
   }
   const auto count = static_cast<double>(values.size());
   return Sample{*mean(values), *deviation * *deviation / count, count - 1.0};
+}
+
+std::vector<double> sorted(std::span<const double> values) {
+  std::vector<double> in_order(values.begin(), values.end());
+  std::sort(in_order.begin(), in_order.end());
+  return in_order;
+}
+
+double middle_of(const std::vector<double>& in_order) {
+  const std::size_t half = in_order.size() / 2;
+  return in_order.size() % 2 == 1 ? in_order[half] : (in_order[half - 1] + in_order[half]) / 2.0;
+}
+
+/// How many values may be left out at either end of a sample so that the rest still holds the
+/// median; absent when not even the whole sample is sure enough to.
+std::optional<std::size_t> left_out(std::size_t count) {
+  const boost::math::binomial halves(static_cast<double>(count), 0.5);
+  std::optional<std::size_t> most;
+  for (std::size_t k = 0; k < count / 2; ++k) {
+    if (boost::math::cdf(halves, static_cast<double>(k)) > kOneSidedRisk) break;
+    most = k;
+  }
+  return most;
 }
 
 /// Degrees of freedom of the sum of two estimated variances (Satterthwaite 1946).
@@ -137,6 +163,36 @@ std::optional<Estimate> ratio_estimate(std::span<const double> a, std::span<cons
   }
   const double root = std::sqrt(std::max(0.0, half * half - square * rest));
   return Estimate{ratio, (half - root) / square, (half + root) / square};
+}
+
+std::optional<Estimate> share_estimate(std::size_t successes, std::size_t count) {
+  assert(successes <= count);
+  if (count == 0) {
+    return std::nullopt;
+  }
+  const double z =
+      boost::math::quantile(boost::math::complement(boost::math::normal(), kOneSidedRisk));
+  const auto n = static_cast<double>(count);
+  const double share = static_cast<double>(successes) / n;
+  const double weight = z * z / n;
+  const double centre = (share + weight / 2.0) / (1.0 + weight);
+  const double reach = std::sqrt(weight * (share * (1.0 - share) + weight / 4.0)) / (1.0 + weight);
+  // Rounding must not exclude what was found.
+  return Estimate{share, successes == 0 ? 0.0 : centre - reach,
+                  successes == count ? 1.0 : centre + reach};
+}
+
+std::optional<double> median(std::span<const double> values) {
+  return values.empty() ? std::nullopt : std::optional(middle_of(sorted(values)));
+}
+
+std::optional<Estimate> median_estimate(std::span<const double> values) {
+  const std::optional<std::size_t> out = left_out(values.size());
+  if (!out) {
+    return std::nullopt;
+  }
+  const std::vector<double> in_order = sorted(values);
+  return Estimate{middle_of(in_order), in_order[*out], in_order[in_order.size() - 1 - *out]};
 }
 
 Estimate scaled(const Estimate& estimate, double factor) {

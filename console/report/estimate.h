@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -47,6 +48,18 @@ struct Difference {
 /// mean(b) cannot be told from 0, so that no interval bounds the ratio.
 [[nodiscard]] std::optional<Estimate> ratio_estimate(std::span<const double> a,
                                                      std::span<const double> b);
+
+/// The share of successes among `count` trials with its Wilson interval (1927), which stays within
+/// 0 and 1 and means something for none and for all; absent without trials. `successes` is at most
+/// `count`.
+[[nodiscard]] std::optional<Estimate> share_estimate(std::size_t successes, std::size_t count);
+
+/// The median with the tightest pair of values, equally many from either end, that holds the true
+/// one in at least 95 of 100 samples, whatever the distribution; absent below six values, of which
+/// no pair does. A median of fewer is `median`.
+[[nodiscard]] std::optional<Estimate> median_estimate(std::span<const double> values);
+/// Of an even number of values the mean of the middle two; of none there is none.
+[[nodiscard]] std::optional<double> median(std::span<const double> values);
 
 /// `estimate` times `factor`.
 [[nodiscard]] Estimate scaled(const Estimate& estimate, double factor);

@@ -150,6 +150,55 @@ TEST(RatioEstimate, IsAbsentOverWhatCannotBeToldFromZero) {
   EXPECT_EQ(ratio_estimate(kDrug2, std::array{-1.0, 1.1}), std::nullopt);
 }
 
+// Newcombe, "Two-sided confidence intervals for the single proportion", Statistics in Medicine 17
+// (1998), table I, method 3, and R's binom.confint(…, methods = "wilson").
+TEST(ShareEstimate, GivesWilsonsLimits) {
+  const auto expect = [](std::size_t successes, std::size_t count, double low, double high) {
+    const Estimate found = share_estimate(successes, count).value();
+    EXPECT_DOUBLE_EQ(found.value, static_cast<double>(successes) / static_cast<double>(count));
+    EXPECT_NEAR(found.low, low, 5e-5);
+    EXPECT_NEAR(found.high, high, 5e-5);
+  };
+  expect(81, 263, 0.2553, 0.3662);
+  expect(15, 148, 0.0624, 0.1605);
+  expect(0, 20, 0.0, 0.1611);
+  expect(1, 29, 0.0061, 0.1718);
+  expect(0, 10, 0.0, 0.2775);
+  expect(10, 10, 0.7225, 1.0);
+  expect(7, 10, 0.3968, 0.8922);
+}
+
+TEST(ShareEstimate, StaysWithinZeroAndOne) {
+  for (std::size_t count = 1; count < 300; ++count) {
+    EXPECT_EQ(share_estimate(0, count).value().low, 0.0);
+    EXPECT_EQ(share_estimate(count, count).value().high, 1.0);
+  }
+}
+
+TEST(ShareEstimate, OfNothingIsAbsent) { EXPECT_EQ(share_estimate(0, 0), std::nullopt); }
+
+TEST(Median, LiesInTheMiddleWhateverTheOrder) {
+  EXPECT_EQ(median(std::array{5.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(median(std::array{5.0, 1.0, 2.0, 3.0}), 2.5);
+  EXPECT_EQ(median({}), std::nullopt);
+}
+
+// Conover, Practical Nonparametric Statistics (1999), table A3: of ten values the second and the
+// ninth, of twenty the sixth and the fifteenth.
+TEST(MedianEstimate, LeavesOutWhatTheBinomialAllows) {
+  std::vector<double> values;
+  for (int i = 20; i >= 1; --i) {
+    values.push_back(i);
+  }
+  EXPECT_EQ(median_estimate(values), (Estimate{10.5, 6.0, 15.0}));
+  values.erase(values.begin(), values.begin() + 10);
+  EXPECT_EQ(median_estimate(values), (Estimate{5.5, 2.0, 9.0}));
+  values.erase(values.begin(), values.begin() + 4);
+  EXPECT_EQ(median_estimate(values), (Estimate{3.5, 1.0, 6.0}));
+  values.pop_back();
+  EXPECT_EQ(median_estimate(values), std::nullopt);
+}
+
 TEST(Scaled, KeepsTheIntervalInOrder) {
   EXPECT_EQ(scaled({2.0, 1.0, 4.0}, -0.5), (Estimate{-1.0, -2.0, -0.5}));
 }
