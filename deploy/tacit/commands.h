@@ -14,6 +14,7 @@ void add_experiment(CLI::App& app, Exit& ending);
 void add_scenarios(CLI::App& app, Exit& ending);
 void add_policy(CLI::App& app, Exit& ending);
 void add_mission(CLI::App& app, Exit& ending);
+void add_cases(CLI::App& app, Exit& ending);
 void add_map(CLI::App& app, Exit& ending);
 void add_operate(CLI::App& app, Exit& ending);
 void add_verify(CLI::App& app, Exit& ending);

@@ -45,6 +45,7 @@ Exit command_line(int argc, char** argv) {
   add_policy(app, ending);
   add_mission(app, ending);
   add_map(app, ending);
+  add_cases(app, ending);
   add_doctor(app, ending);
   refuse_unknown_command(app, argc > 1 ? argv[1] : "");
   try {
