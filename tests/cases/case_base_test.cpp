@@ -44,6 +44,16 @@ TEST(CaseBase, KeepsACaseOnce) {
   EXPECT_EQ(base.size(), 1U);
 }
 
+TEST(CaseBase, TakesWhatDiffersInNamesAloneForTheSameCase) {
+  const Folder folder;
+  CaseBase base(folder.file());
+  Case renamed = shipped_case("eod", Task::ExplosiveOrdnance);
+  base.store(renamed);
+  renamed.title = "Another name";
+  renamed.plan.robots[0].states[0].label = "Begin";
+  EXPECT_FALSE(base.store(renamed).fresh);
+}
+
 TEST(CaseBase, RanksByWhatUseHasTaught) {
   const Folder folder;
   CaseBase base(folder.file());

@@ -43,10 +43,26 @@ TEST(CaseIndex, TellsAllCasesInTheOrderOfTheirRanks) {
 
 TEST(CaseIndex, TellsOlderCasesFirstAmongEquals) {
   std::vector<CaseHead> library = random_library(4, 400);
-  for (CaseHead& head : library) head.standing = 0;
+  for (CaseHead& head : library) {
+    head.standing = 0;
+    head.mark = 0;
+  }
   const std::vector<Ranked> found = CaseIndex(library).retrieve({}, kAll);
   ASSERT_EQ(found.size(), library.size());
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].id, i + 1);
+}
+
+TEST(CaseIndex, TellsCasesInTheSameOrderWhateverTheirNumbers) {
+  std::vector<CaseHead> library = random_library(4, 400);
+  for (CaseHead& head : library) head.mark = head.id * 7919 % 401;
+  const auto marks = [&] {
+    std::vector<std::uint64_t> told;
+    for (const Ranked& one : CaseIndex(library).retrieve({}, kAll)) told.push_back(one.mark);
+    return told;
+  };
+  const std::vector<std::uint64_t> before = marks();
+  for (CaseHead& head : library) head.id = 401 - head.id;
+  EXPECT_EQ(marks(), before);
 }
 
 TEST(CaseIndex, FindsACaseFirstByItsOwnFeaturesWhenItsStandingIsTheBest) {

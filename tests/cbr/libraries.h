@@ -25,6 +25,7 @@ inline std::vector<CaseHead> random_library(std::uint64_t seed, std::size_t size
   for (CaseId id = 1; id <= size; ++id) {
     CaseHead head{id, random_features(chance), 0};
     if (chance.below(2) == 0) head.standing = static_cast<int>(chance.below(2001)) - 1000;
+    head.mark = chance.below(3);
     library.push_back(head);
   }
   return library;

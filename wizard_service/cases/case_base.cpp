@@ -7,8 +7,10 @@
 
 #include "wizard_service/cases/case_file.h"
 #include "wizard_service/cases/case_row.h"
+#include "wizard_service/cbr/features.h"
 #include "wizard_service/cbr/plan_cdl.h"
 #include "wizard_service/cbr/rank.h"
+#include "wizard_service/cbr/store.h"
 
 namespace tacit::cbr {
 namespace {
@@ -34,7 +36,10 @@ constexpr const char* kRecord = R"sql(
 
 std::int64_t key(CaseId id) { return static_cast<std::int64_t>(id); }
 
-std::string likeness_of(const Plan& plan) { return mission_text(plan); }
+/// Of a plan's text and its case's features. Others of a case base have the same hardly ever.
+std::uint64_t mark_of(const CaseRow& row) {
+  return static_cast<std::uint64_t>(sum_of(to_text(row.one.features) + '\n' + row.plan));
+}
 
 /// The mission that `plan` is. Throws ConfigError when it would not read back.
 std::string readable_text(const Case& one) {
@@ -200,7 +205,7 @@ std::vector<Stored> CaseBase::store(std::span<const Case> cases) {
   std::vector<std::string> likenesses;
   for (const Case& one : cases) {
     texts.push_back(readable_text(one));
-    likenesses.push_back(likeness_of(one.plan));
+    likenesses.push_back(likeness(one.plan));
   }
   std::vector<Stored> stored;
   impl_->write([&] {
@@ -219,8 +224,9 @@ std::vector<CaseHead> CaseBase::heads() {
   std::vector<CaseHead> heads;
   impl_->walk(
       [&](SQLite::Statement& found) {
-        const Case one = row_of(found).one;
-        heads.push_back({one.id, one.features, standing(one.record)});
+        const CaseRow row = row_of(found);
+        const Case& one = row.one;
+        heads.push_back({one.id, one.features, standing(one.record), mark_of(row)});
       },
       [](const Flaw&) {});
   return heads;

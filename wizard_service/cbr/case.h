@@ -34,6 +34,8 @@ struct CaseHead {
   CaseId id = 0;
   CaseFeatures features;
   int standing = 0;  ///< In thousandths of a star, -1000 to 1000: see `standing`.
+  /// Tells cases of one rank apart by what they are, whatever order they were stored in.
+  std::uint64_t mark = 0;
   friend bool operator==(const CaseHead&, const CaseHead&) = default;
 };
 

@@ -15,13 +15,16 @@ namespace {
 /// A case in its leaf: all that tells it from the others there.
 struct Entry {
   int standing = 0;
+  std::uint64_t mark = 0;
   CaseId id = 0;
 };
 
-/// Best standing first, older ones first among equals.
+Entry entry_of(const CaseHead& head) { return {head.standing, head.mark, head.id}; }
+
+/// As `better` has it.
 struct BetterEntry {
   bool operator()(const Entry& a, const Entry& b) const {
-    return a.standing != b.standing ? a.standing > b.standing : a.id < b.id;
+    return std::tuple(b.standing, a.mark, a.id) < std::tuple(a.standing, b.mark, b.id);
   }
 };
 
@@ -43,7 +46,8 @@ void take_best(Node& node) {
 /// A node, or a case at its place in a leaf, that may hold the next best case.
 struct Candidate {
   std::int64_t bound = 0;  ///< No case there has a higher rank; that of a case itself.
-  CaseId id = 0;           ///< No case there of that rank has a smaller one.
+  std::uint64_t mark = 0;  ///< No case there of that rank has a smaller one,
+  CaseId id = 0;           ///< or the same and a smaller id.
   const Node* node = nullptr;
   std::size_t level = 0;
   std::optional<Leaf::const_iterator> at;  ///< Of a case.
@@ -53,8 +57,7 @@ struct Candidate {
 
 struct LessPromising {
   bool operator()(const Candidate& a, const Candidate& b) const {
-    if (a.bound != b.bound) return a.bound < b.bound;
-    return a.id > b.id;
+    return std::tuple(a.bound, b.mark, b.id) < std::tuple(b.bound, a.mark, a.id);
   }
 };
 
@@ -83,7 +86,7 @@ class Search {
       queue_.pop();
       if (best.at) {
         push_case(best, std::next(*best.at));
-        return Ranked{best.id, best.features, best.bound};
+        return Ranked{best.id, best.features, best.bound, best.mark};
       }
       open(best);
     }
@@ -94,6 +97,7 @@ class Search {
   void push(Candidate candidate, const Entry& best) {
     const std::int64_t most = candidate.share.got + still_[candidate.level];
     candidate.bound = rank_of({most, candidate.share.most}, best.standing);
+    candidate.mark = best.mark;
     candidate.id = best.id;
     queue_.push(candidate);
   }
@@ -132,11 +136,12 @@ class CaseIndex::Tree {
   Tree() = default;
   explicit Tree(std::vector<CaseHead> heads) {
     std::sort(heads.begin(), heads.end(), [](const CaseHead& a, const CaseHead& b) {
-      return std::tuple(a.features, -a.standing, a.id) < std::tuple(b.features, -b.standing, b.id);
+      return std::tuple(a.features, -a.standing, a.mark, a.id) <
+             std::tuple(b.features, -b.standing, b.mark, b.id);
     });
     for (const CaseHead& head : heads) {
       Leaf& cases = grow(head).cases;
-      cases.insert(cases.end(), {head.standing, head.id});
+      cases.insert(cases.end(), entry_of(head));
     }
     std::sort(heads.begin(), heads.end(),
               [](const CaseHead& a, const CaseHead& b) { return a.id < b.id; });
@@ -147,7 +152,7 @@ class CaseIndex::Tree {
   void insert(const CaseHead& head) {
     const bool is_new = heads_.emplace(head.id, head).second;
     assert(is_new);
-    if (is_new) grow(head).cases.insert({head.standing, head.id});
+    if (is_new) grow(head).cases.insert(entry_of(head));
   }
 
   bool erase(CaseId id) {
@@ -164,7 +169,7 @@ class CaseIndex::Tree {
  private:
   /// The leaf for the case; every node on the way learns of it.
   Node& grow(const CaseHead& head) {
-    const Entry entry{head.standing, head.id};
+    const Entry entry = entry_of(head);
     Node* node = &root_;
     for (const FeatureRow& row : feature_table()) {
       if (!node->best || BetterEntry()(entry, *node->best)) node->best = entry;
@@ -182,7 +187,7 @@ class CaseIndex::Tree {
   /// Takes the case out, and the nodes that it leaves empty.
   void prune(Node& node, const CaseHead& head, std::size_t level) {
     if (level == kFeatures) {
-      node.cases.erase({head.standing, head.id});
+      node.cases.erase(entry_of(head));
     } else {
       std::unique_ptr<Node>& child =
           node.children[code(head.features, feature_table()[level].feature)];
@@ -226,7 +231,7 @@ std::vector<Ranked> retrieve_by_scan(std::span<const CaseHead> cases, const Quer
                                      std::size_t most) {
   std::vector<Ranked> kept;  // A heap with the worst in front.
   for (const CaseHead& head : cases) {
-    const Ranked one{head.id, head.features, rank(query, head.features, head.standing)};
+    const Ranked one{head.id, head.features, rank(query, head.features, head.standing), head.mark};
     if (kept.size() >= most && (most == 0 || !better(one, kept.front()))) continue;
     if (kept.size() == most) {
       std::pop_heap(kept.begin(), kept.end(), better);

@@ -44,15 +44,17 @@ void take_outcome(TrackRecord& record, double score);
 /// Remembers a failure; the oldest goes when there are too many.
 void remember_failure(TrackRecord& record, Failure failure);
 
-/// A case with its rank. Better ones first, older ones first among equals.
+/// A case with its rank. Better ones first; of equals those with the smaller mark, then older ones.
 struct Ranked {
   CaseId id = 0;
   CaseFeatures features;
   std::int64_t rank = 0;
+  std::uint64_t mark = 0;
   friend bool operator==(const Ranked&, const Ranked&) = default;
 };
 [[nodiscard]] inline bool better(const Ranked& a, const Ranked& b) {
-  return a.rank != b.rank ? a.rank > b.rank : a.id < b.id;
+  if (a.rank != b.rank) return a.rank > b.rank;
+  return a.mark != b.mark ? a.mark < b.mark : a.id < b.id;
 }
 
 }  // namespace tacit::cbr
