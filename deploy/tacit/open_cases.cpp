@@ -1,7 +1,6 @@
 #include "deploy/tacit/open_cases.h"
 
 #include "deploy/tacit/say.h"
-#include "deploy/tacit/scenario_library.h"
 #include "idl/types/config_error.h"
 #include "wizard_service/cases/seed.h"
 
@@ -28,7 +27,7 @@ fs::path place_of(const CaseFileWish& wish) {
 }
 
 fs::path seeds_of(const CaseFileWish& wish) {
-  if (wish.seeds.empty()) return shipped_cases();
+  if (wish.seeds.empty()) return cbr::shipped_seeds();
   if (!fs::is_directory(wish.seeds)) {
     throw ConfigError("--seeds: there is no directory " + wish.seeds);
   }

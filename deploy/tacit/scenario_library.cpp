@@ -73,12 +73,6 @@ fs::path find_scenario(const std::string& name_or_file) {
                     " Wanted a file or one of: " + joined(names));
 }
 
-fs::path shipped_cases() {
-  const fs::path installed = program_folder().parent_path() / "share/tacit/cases";
-  const fs::path source = fs::path(TACIT_SOURCE_SCENARIOS).parent_path().parent_path();
-  return fs::is_directory(installed) ? installed : source / "wizard_service/seed";
-}
-
 fs::path find_shipped(const std::string& name_or_file, const std::string& folder,
                       const std::string& ending) {
   if (fs::is_regular_file(name_or_file)) return name_or_file;

@@ -31,10 +31,6 @@ struct LibraryEntry {
                                                  const std::string& folder,
                                                  const std::string& ending);
 
-/// The folder of the cases that ship: the one installed beside the programs, else that of the
-/// source tree, whether it is there or not.
-[[nodiscard]] std::filesystem::path shipped_cases();
-
 /// The folder of this program's own file, where the other programs lie as well.
 [[nodiscard]] std::filesystem::path program_folder();
 

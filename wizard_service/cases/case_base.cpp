@@ -7,7 +7,6 @@
 
 #include "wizard_service/cases/case_file.h"
 #include "wizard_service/cases/case_row.h"
-#include "wizard_service/cbr/features.h"
 #include "wizard_service/cbr/plan_cdl.h"
 #include "wizard_service/cbr/rank.h"
 #include "wizard_service/cbr/store.h"
@@ -35,11 +34,6 @@ constexpr const char* kRecord = R"sql(
 )sql";
 
 std::int64_t key(CaseId id) { return static_cast<std::int64_t>(id); }
-
-/// Of a plan's text and its case's features. Others of a case base have the same hardly ever.
-std::uint64_t mark_of(const CaseRow& row) {
-  return static_cast<std::uint64_t>(sum_of(to_text(row.one.features) + '\n' + row.plan));
-}
 
 /// The mission that `plan` is. Throws ConfigError when it would not read back.
 std::string readable_text(const Case& one) {
@@ -226,7 +220,7 @@ std::vector<CaseHead> CaseBase::heads() {
       [&](SQLite::Statement& found) {
         const CaseRow row = row_of(found);
         const Case& one = row.one;
-        heads.push_back({one.id, one.features, standing(one.record), mark_of(row)});
+        heads.push_back({one.id, one.features, standing(one.record), mark(one.features, row.plan)});
       },
       [](const Flaw&) {});
   return heads;

@@ -23,7 +23,7 @@ std::string text_of(const fs::path& file) {
 }
 
 /// None when there is no such folder.
-std::vector<fs::path> seeds_in(const fs::path& folder) {
+std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
@@ -35,14 +35,17 @@ std::vector<fs::path> seeds_in(const fs::path& folder) {
 
 }  // namespace
 
-void seed_if_new(CaseBase& base, const fs::path& folder) {
-  if (base.was_used()) return;
+std::vector<Case> seeds_in(const fs::path& folder) {
   std::vector<Case> cases;
-  for (const fs::path& file : seeds_in(folder)) {
+  for (const fs::path& file : files_in(folder)) {
     cases.push_back(case_from(text_of(file), file.string()));
     cases.back().origin = "seed";
   }
-  base.store(cases);
+  return cases;
+}
+
+void seed_if_new(CaseBase& base, const fs::path& folder) {
+  if (!base.was_used()) base.store(seeds_in(folder));
 }
 
 fs::path shipped_seeds() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "wizard_service/cases/case_base.h"
 
@@ -10,6 +11,10 @@ namespace tacit::cbr {
 /// had one; one whose cases were all removed stays empty. All or none of them. Throws as
 /// `case_from` does when a file holds no case.
 void seed_if_new(CaseBase& base, const std::filesystem::path& folder);
+
+/// The cases of all `.cdl` files of `folder`, by the files' names; their origin is "seed". None
+/// when there is no such folder. Throws as `case_from` does.
+[[nodiscard]] std::vector<Case> seeds_in(const std::filesystem::path& folder);
 
 /// The folder of the cases that ship: share/tacit/seed beside the folder of the program, else that
 /// of the source tree.

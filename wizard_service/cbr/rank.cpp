@@ -52,6 +52,14 @@ int standing(const TrackRecord& record) {
   return static_cast<int>((good - (most - good)) / (outcomes + 2));
 }
 
+std::uint64_t mark(const CaseFeatures& features, std::string_view plan) {
+  std::uint64_t sum = 0xcbf29ce484222325;  // FNV-1a
+  const auto add = [&sum](std::uint64_t byte) { sum = (sum ^ byte) * 0x100000001b3; };
+  for (const FeatureRow& row : feature_table()) add(code(features, row.feature));
+  for (const char c : plan) add(static_cast<unsigned char>(c));
+  return sum;
+}
+
 void take_outcome(TrackRecord& record, double score) {
   const double share = score > 0.0 ? std::min(score, 1.0) : 0.0;
   ++record.outcomes;

@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <string_view>
 
 #include "wizard_service/cbr/case.h"
 #include "wizard_service/cbr/features.h"
@@ -37,6 +38,9 @@ struct Share {
 /// outcome with one good and one bad one added, so that a single run does not decide; rounded
 /// towards 0.
 [[nodiscard]] int standing(const TrackRecord& record);
+
+/// Of a case of these features whose plan is written so: others have the same hardly ever.
+[[nodiscard]] std::uint64_t mark(const CaseFeatures& features, std::string_view plan);
 
 /// Takes in one outcome: `score` 0 to 1, of a debrief or of a person (1 good, 0 bad); what lies
 /// outside counts as the nearer end.
