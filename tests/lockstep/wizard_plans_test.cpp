@@ -7,8 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "idl/overlay/office.h"
-#include "idl/overlay/writer.h"
+#include "deploy/experiment/wizard_study.h"
 #include "tests/cbr/shelf.h"
 #include "tests/lockstep/operations.h"
 #include "wizard_service/cbr/wizard.h"
@@ -19,25 +18,6 @@ namespace {
 using testing::carry_out;
 using testing::Outcome;
 
-/// What a person asks for: the points on the way, then the building.
-PlanRequest request_for(const MapPlan& plan, int robots) {
-  PlanRequest request;
-  request.robots = robots;
-  request.enemy = robots > 1;
-  const MapPoint& shift = plan.ground.shift_m;
-  for (const PlanPoint& point : plan.points) {
-    if (!point.name.starts_with("Way") && point.name != "Entry") continue;
-    request.tasks.push_back(
-        {Task::Waypoints, point.at.x_m - shift.x_m, point.at.y_m - shift.y_m, {}, {}, false});
-  }
-  const MapPoint& hall = plan.halls.front().centre_line.front();
-  request.tasks.push_back(
-      {Task::Biohazard, hall.x_m - shift.x_m + 3.0, hall.y_m - shift.y_m, {}, {}, {}});
-  request.max_velocity_mps = 0.7;
-  request.aggressiveness = 0.6;
-  return request;
-}
-
 /// The wizard's best plan.
 std::string planned(const std::string& map, const PlanRequest& request) {
   cbr::testing::Shelf shelf;
@@ -45,49 +25,53 @@ std::string planned(const std::string& map, const PlanRequest& request) {
   return cbr::answer(request, terrain, shelf.index(), shelf).proposals.at(0).offered.mission;
 }
 
-Outcome flown(const std::string& map, int robots, bool naive, std::uint64_t seed) {
-  PlanRequest request = request_for(plan_of(read_overlay(map).map, Doors::Open), robots);
-  request.naive = naive;
-  OperationWish wish;
-  wish.mission = {planned(map, request), "plan"};
-  wish.map = {map, "map"};
-  if (robots > 1) wish.extras = testing::shipped_mission("sentry");
-  return carry_out(wish, seed);
+Flight flown(int robots, Planner planner, std::uint64_t site) {
+  static cbr::CaseShelf cases(cbr::testing::Shelf().all());
+  WizardStudy study;
+  study.expert_alone = testing::shipped_mission("biohazard");
+  study.expert_team = testing::shipped_mission("biohazard_pair");
+  study.sentry = testing::shipped_mission("sentry");
+  StudyFlight which{robots, planner, {}, {}};
+  which.flight.seed = site;
+  return study_flight(study, which, cases, {}).value().flight;
 }
 
-std::string site(std::uint64_t seed) { return to_text(random_office(seed, {.approach = true})); }
+std::string told(const std::vector<std::string>& failures) {
+  std::string text;
+  for (const std::string& failure : failures) text += failure + '\n';
+  return text;
+}
 
 TEST(WizardPlans, OneRobotGoesByTheWayPointsAndFindsTheBiohazard) {
-  const Outcome outcome = flown(site(1), 1, false, 1);
-  EXPECT_EQ(outcome.list.done(), outcome.list.wanted()) << outcome.told();
+  const Flight flight = flown(1, Planner::Wizard, 1);
+  EXPECT_TRUE(flight.full()) << told(flight.failures());
 }
 
 TEST(WizardPlans, TwoRobotsDoSoUnderASentrysEyes) {
-  const Outcome outcome = flown(site(1), 2, false, 1);
-  EXPECT_EQ(outcome.list.done(), outcome.list.wanted()) << outcome.told();
+  const Flight flight = flown(2, Planner::Wizard, 1);
+  EXPECT_TRUE(flight.full()) << told(flight.failures());
 }
 
-double mean_score(int robots, bool naive, int sites) {
+double mean_score(int robots, Planner planner, std::uint64_t sites) {
   double score = 0.0;
-  for (int seed = 1; seed <= sites; ++seed) {
-    const auto number = static_cast<std::uint64_t>(seed);
-    score += flown(site(number), robots, naive, number).list.score();
+  for (std::uint64_t site = 1; site <= sites; ++site) {
+    score += flown(robots, planner, site).list.score();
   }
-  return score / sites;
+  return score / static_cast<double>(sites);
 }
 
 TEST(WizardPlans, OneRobotDoesNearlyAllInBuildingsDrawnByChance) {
-  EXPECT_GE(mean_score(1, false, 100), 0.95);
+  EXPECT_GE(mean_score(1, Planner::Wizard, 100), 0.95);
 }
 
 TEST(WizardPlans, TwoRobotsDoMostInBuildingsDrawnByChance) {
-  EXPECT_GE(mean_score(2, false, 60), 0.9);
+  EXPECT_GE(mean_score(2, Planner::Wizard, 60), 0.9);
 }
 
 TEST(WizardPlans, WithoutTheWizardLittleGetsDoneAndLessByTwo) {
-  const double one = mean_score(1, true, 30);
+  const double one = mean_score(1, Planner::Naive, 30);
   EXPECT_LT(one, 0.5);
-  EXPECT_LT(mean_score(2, true, 30), one);
+  EXPECT_LT(mean_score(2, Planner::Naive, 30), one);
 }
 
 /// A task on a map that ships, with points to go by before.
