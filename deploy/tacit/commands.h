@@ -17,8 +17,12 @@ void add_mission(CLI::App& app, Exit& ending);
 void add_cases(CLI::App& app, Exit& ending);
 void add_map(CLI::App& app, Exit& ending);
 void add_operate(CLI::App& app, Exit& ending);
+void add_preview(CLI::App& app, Exit& ending);
 void add_verify(CLI::App& app, Exit& ending);
 void add_debrief(CLI::App& app, Exit& ending);
 void add_doctor(CLI::App& app, Exit& ending);
+
+/// `tacit experiment wizard`, a sub-command of `experiment`.
+void add_wizard_study(CLI::App& experiment, Exit& ending);
 
 }  // namespace tacit

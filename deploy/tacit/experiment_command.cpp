@@ -35,6 +35,7 @@ constexpr const char* kExamples = R"(Examples:
   tacit experiment guard_figures
   tacit experiment deploy/scenarios/guard_figures.toml --workers 4 --out runs/figures
   tacit experiment guard_figures --report-only
+  tacit experiment wizard --sites 200              plans by the wizard, naive and by an expert
 
 Stop it with Ctrl-C whenever you like: started again, it goes on where it was. The folder --out
 holds runs.db (every run), report.txt, report.json, a CSV file per table and the figures (SVG).
@@ -178,7 +179,7 @@ void add_experiment(CLI::App& app, Exit& ending) {
   CLI::App* command =
       app.add_subcommand("experiment", "Run a battery of scenarios and tabulate the results");
   const auto wish = std::make_shared<ExperimentWish>();
-  command->add_option("experiment", wish->file, "Name of an experiment, or a file")->required();
+  command->add_option("experiment", wish->file, "Name of an experiment, or a file");
   command->add_option("--out", wish->out, "Folder of results [runs/NAME]")->type_name("DIR");
   command->add_option("--workers", wish->workers, "Runs made at once")
       ->type_name("N")
@@ -188,7 +189,17 @@ void add_experiment(CLI::App& app, Exit& ending) {
   command->add_flag("--json", wish->json, "Print the tables as JSON");
   command->add_flag("--quiet", wish->quiet, "No progress");
   command->footer(kExamples);
-  command->callback([wish, &ending] { ending = experiment(*wish); });
+  command->require_subcommand(0, 1);
+  add_wizard_study(*command, ending);
+  command->callback([wish, command, &ending] {
+    if (!command->get_subcommands().empty()) {
+      return;
+    }
+    if (wish->file.empty()) {
+      throw CLI::RequiredError("experiment");
+    }
+    ending = experiment(*wish);
+  });
 }
 
 }  // namespace tacit

@@ -39,6 +39,7 @@ Exit command_line(int argc, char** argv) {
   add_learn(app, ending);
   add_experiment(app, ending);
   add_scenarios(app, ending);
+  add_preview(app, ending);
   add_operate(app, ending);
   add_verify(app, ending);
   add_debrief(app, ending);

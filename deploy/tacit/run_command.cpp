@@ -6,6 +6,7 @@
 #include "deploy/tacit/commands.h"
 #include "deploy/tacit/dds_run.h"
 #include "deploy/tacit/one_process_run.h"
+#include "deploy/tacit/operation_options.h"
 #include "deploy/tacit/run_debrief.h"
 #include "deploy/tacit/say.h"
 #include "deploy/tacit/summary.h"
@@ -55,29 +56,7 @@ void add_scenario_options(CLI::App& run, RunWish& wish) {
       ->type_name("N");
   run.add_option("--seed", wish.seed, "Seed of every stream of chance")->type_name("N");
   run.add_option("--duration", wish.duration_s, "Simulated time of the run")->type_name("S");
-  run.add_option("--map", wish.map,
-                 "MissionLab overlay from which area, walls, obstacles and start place come")
-      ->type_name("FILE.ovl");
-  run.add_option(
-         "--extra", wish.extra,
-         "With a mission: another one, for robots that are not of the team, such as a sentry")
-      ->type_name("FILE.cdl");
-  run.add_option("--extra-colour", wish.extra_colour, "How those are painted; red is an enemy")
-      ->check(CLI::IsMember({"red", "blue"}))
-      ->capture_default_str();
-  run.add_option("--start", wish.starts,
-                 "With a mission: where the team's robots start and face; the first, the second, …")
-      ->type_name("X,Y[,DEG]")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  run.add_option("--extra-start", wish.extra_starts, "The same for the extra robots")
-      ->type_name("X,Y[,DEG]")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  run.add_option("--set", wish.settings, "Any parameter of the scenario; see `tacit scenarios`")
-      ->type_name("SECTION.KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_operation_options(run, wish);
 }
 
 void add_run_options(CLI::App& run, RunWish& wish, std::string& speed) {

@@ -71,6 +71,8 @@ Running::~Running() {
 
 void Running::send(int signal) const { kill(pid_, signal); }
 
+std::string Running::said() const { return text_of(scratch_ / "err"); }
+
 Finished Running::finish(std::chrono::seconds patience) {
   int status = 0;
   const bool ended =

@@ -50,6 +50,8 @@ class Running {
 
   [[nodiscard]] pid_t pid() const { return pid_; }
   void send(int signal) const;
+  /// What it has written to standard error so far.
+  [[nodiscard]] std::string said() const;
   /// Waits for its end, at most so long; kills it then.
   Finished finish(std::chrono::seconds patience = std::chrono::seconds(60));
 
