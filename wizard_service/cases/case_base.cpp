@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <list>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "wizard_service/cases/case_file.h"
@@ -94,6 +95,10 @@ class CaseBase::Impl {
   }
 
   Stored insert(const Case& one, const std::string& text, const std::string& likeness);
+  [[nodiscard]] bool is_there(CaseId id);
+  /// False when it is known already.
+  [[nodiscard]] bool note_report(const ReportKey& by);
+  void take_in(CaseId id, double score, const std::vector<Failure>& failures, std::uint32_t uses);
   void add_failures(CaseId id, const std::vector<Failure>& failures);
   std::vector<Failure> failures_of(CaseId id);
   CaseRow row(CaseId id);
@@ -136,6 +141,40 @@ Stored CaseBase::Impl::insert(const Case& one, const std::string& text,
   const auto id = static_cast<CaseId>(db().getLastInsertRowid());
   add_failures(id, one.record.failures);
   return {id, true};
+}
+
+bool CaseBase::Impl::is_there(CaseId id) {
+  SQLite::Statement found(db(), "SELECT 1 FROM cases WHERE id = ?");
+  found.bind(1, key(id));
+  return found.executeStep();
+}
+
+bool CaseBase::Impl::note_report(const ReportKey& by) {
+  SQLite::Statement insert(
+      db(), "INSERT INTO reports (client, request) VALUES (?, ?) ON CONFLICT DO NOTHING");
+  insert.bind(1, static_cast<std::int64_t>(by.client));
+  insert.bind(2, static_cast<std::int64_t>(by.request));
+  if (insert.exec() == 0) return false;
+  SQLite::Statement old(db(), "DELETE FROM reports WHERE number <= ?");
+  old.bind(1, db().getLastInsertRowid() - kReportsKept);
+  old.exec();
+  return true;
+}
+
+void CaseBase::Impl::take_in(CaseId id, double score, const std::vector<Failure>& failures,
+                             std::uint32_t uses) {
+  TrackRecord record = row(id).one.record;
+  record.uses += uses;
+  take_outcome(record, score);
+  for (const Failure& failure : failures) remember_failure(record, failure);
+  SQLite::Statement update(db(), kRecord);
+  bind(update, record);
+  update.bind(":id", key(id));
+  update.exec();
+  SQLite::Statement old(db(), "DELETE FROM failures WHERE case_id = ?");
+  old.bind(1, key(id));
+  old.exec();
+  add_failures(id, record.failures);
 }
 
 void CaseBase::Impl::add_failures(CaseId id, const std::vector<Failure>& failures) {
@@ -244,19 +283,25 @@ std::vector<Flaw> CaseBase::flaws() {
 }
 
 void CaseBase::record_outcome(CaseId id, double score, const std::vector<Failure>& failures) {
+  impl_->write([&] { impl_->take_in(id, score, failures, 0); });
+}
+
+bool CaseBase::record_report(const ReportKey& by, std::span<const CaseId> cases, double score,
+                             const std::vector<Failure>& failures) {
+  bool fresh = false;
   impl_->write([&] {
-    TrackRecord record = impl_->row(id).one.record;
-    take_outcome(record, score);
-    for (const Failure& failure : failures) remember_failure(record, failure);
-    SQLite::Statement update(impl_->db(), kRecord);
-    bind(update, record);
-    update.bind(":id", key(id));
-    update.exec();
-    SQLite::Statement old(impl_->db(), "DELETE FROM failures WHERE case_id = ?");
-    old.bind(1, key(id));
-    old.exec();
-    impl_->add_failures(id, record.failures);
+    fresh = impl_->note_report(by);
+    if (!fresh) return;
+    const std::set<CaseId> once(cases.begin(), cases.end());
+    std::size_t taken = 0;
+    for (const CaseId id : once) {
+      if (!impl_->is_there(id)) continue;
+      impl_->take_in(id, score, failures, 1);
+      ++taken;
+    }
+    if (taken == 0) throw ConfigError("found no case that the report is about");
   });
+  return fresh;
 }
 
 void CaseBase::note_use(CaseId id) {

@@ -25,11 +25,20 @@ struct Stored {
   friend bool operator==(const Stored&, const Stored&) = default;
 };
 
+/// By which a report is told from others: who made it, and the how manyth of its requests it was.
+struct ReportKey {
+  std::uint64_t client = 0;
+  std::uint64_t request = 0;
+};
+/// Reports that are remembered, the newest, so that one that comes again is known.
+inline constexpr int kReportsKept = 10'000;
+
 /// Cases in one SQLite file.
 ///
-/// What `store`, `record_outcome`, `note_use` or `remove` has returned for is on the disk: neither
-/// the death of a process nor a loss of power takes it away. Several processes and threads may use
-/// one file at once, each through a CaseBase of its own; one CaseBase is for one thread at a time.
+/// What `store`, `record_outcome`, `record_report`, `note_use` or `remove` has returned for is on
+/// the disk: neither the death of a process nor a loss of power takes it away. Several processes
+/// and threads may use one file at once, each through a CaseBase of its own; one CaseBase is for
+/// one thread at a time.
 ///
 /// All of it throws CaseBaseError when the file cannot be read or written and ConfigError when it
 /// is damaged or when no case has the id.
@@ -56,6 +65,11 @@ class CaseBase final : public CaseSource {
 
   /// Takes in how a use went: `score` 0 to 1, and what failed.
   void record_outcome(CaseId id, double score, const std::vector<Failure>& failures);
+  /// The same, and a use, for each of `cases` that is still there, once for each key: false, and
+  /// nothing changes, when a report of this key was taken in before. Throws ConfigError when none
+  /// of the cases is there.
+  bool record_report(const ReportKey& by, std::span<const CaseId> cases, double score,
+                     const std::vector<Failure>& failures);
   void note_use(CaseId id);
   void remove(CaseId id);
 

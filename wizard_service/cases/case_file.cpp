@@ -41,6 +41,14 @@ constexpr std::array kMigrations = {R"sql(
     map TEXT NOT NULL
   ) STRICT;
   CREATE INDEX failures_by_case ON failures (case_id, number);
+)sql",
+                                    R"sql(
+  CREATE TABLE reports (
+    number INTEGER PRIMARY KEY AUTOINCREMENT,
+    client INTEGER NOT NULL,
+    request INTEGER NOT NULL,
+    UNIQUE (client, request)
+  ) STRICT;
 )sql"};
 constexpr int kNewest = static_cast<int>(kMigrations.size());
 
