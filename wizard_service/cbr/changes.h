@@ -23,6 +23,9 @@ class Changes {
   void warn(std::string rule, std::string why) {
     add({PlanChange::Step::Criticize, std::move(rule), std::move(why), {}, {}, false});
   }
+  void add(const Changes& others) {
+    changes_.insert(changes_.end(), others.changes_.begin(), others.changes_.end());
+  }
   [[nodiscard]] const std::vector<PlanChange>& all() const { return changes_; }
 
  private:

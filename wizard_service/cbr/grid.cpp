@@ -148,30 +148,49 @@ void Grid::flood(const MapPoint& start) {
   }
 }
 
-std::optional<std::size_t> Grid::nearest_free(const MapPoint& place) const {
+/// Looks in squares around the place, each a cell wider than the one before, until whatever lies
+/// further out is further away. Of equally near cells the first.
+template <class Wanted>
+std::optional<std::size_t> Grid::nearest(const MapPoint& place, const Wanted& wanted) const {
+  const Cell centre = cell_at(place);
   std::optional<std::size_t> best;
   double least = 0.0;
-  for (std::size_t i = 0; i < clearance_m_.size(); ++i) {
-    if (!is_wide(i)) continue;
-    const double far = distance(middle(i), place);
-    if (best && far >= least) continue;
-    best = i;
+  const auto look = [&](const Cell& cell) {
+    const std::size_t at = index(cell);
+    if (!wanted(at)) return;
+    const double far = distance(middle(at), place);
+    if (best && (far > least || (far == least && at > *best))) return;
+    best = at;
     least = far;
+  };
+  for (int ring = 0; ring <= columns_ + rows_; ++ring) {
+    if (best && least < (ring - 0.5) * cell_m_) break;
+    const int left = centre.x - ring;
+    const int right = centre.x + ring;
+    for (int y = std::max(centre.y - ring, 0); y <= std::min(centre.y + ring, rows_ - 1); ++y) {
+      const bool whole = y == centre.y - ring || y == centre.y + ring;
+      for (int x = std::max(left, 0); x <= std::min(right, columns_ - 1); ++x) {
+        // Of a row in between only its ends.
+        if (!whole && x > left && x < right) {
+          x = right - 1;
+          continue;
+        }
+        look({x, y});
+      }
+    }
   }
   return best;
 }
 
+std::optional<std::size_t> Grid::nearest_free(const MapPoint& place) const {
+  return nearest(place, [this](std::size_t cell) { return is_wide(cell); });
+}
+
 std::optional<MapPoint> Grid::nearest_reachable(const MapPoint& place) const {
-  std::optional<MapPoint> best;
-  double least = 0.0;
-  for (std::size_t i = 0; i < clearance_m_.size(); ++i) {
-    if (!reachable_[i]) continue;
-    const double far = distance(middle(i), place);
-    if (best && far >= least) continue;
-    best = middle(i);
-    least = far;
-  }
-  return best;
+  const std::optional<std::size_t> cell =
+      nearest(place, [this](std::size_t at) { return static_cast<bool>(reachable_[at]); });
+  if (!cell) return std::nullopt;
+  return middle(*cell);
 }
 
 std::vector<std::size_t> Grid::path(std::size_t from, std::size_t to) const {
@@ -253,10 +272,14 @@ std::vector<MapPoint> Grid::route(const MapPoint& from, const MapPoint& to) cons
   const std::optional<std::size_t> first = nearest_free(from);
   const std::optional<std::size_t> last = nearest_free(to);
   if (!first || !last) return {};
-  const std::vector<std::size_t> cells = path(*first, *last);
-  if (cells.empty()) return {};
-  std::vector<MapPoint> places;
-  for (const std::size_t cell : corners(cells)) places.push_back(middle(cell));
+  std::vector<MapPoint> places{middle(*first), middle(*last)};
+  // What is comfortable straight on has no corner, whatever way would be found.
+  if (*first == *last || clearance_between(places.front(), places.back()) < kComfortable) {
+    const std::vector<std::size_t> cells = path(*first, *last);
+    if (cells.empty()) return {};
+    places.clear();
+    for (const std::size_t cell : corners(cells)) places.push_back(middle(cell));
+  }
   if (is_free(from)) places.front() = from;
   if (is_free(to)) {
     if (places.size() == 1) places.push_back(to);

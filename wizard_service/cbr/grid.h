@@ -39,6 +39,9 @@ class Grid {
   template <class Distance>
   void lower_clearance(const MapPoint& low, const MapPoint& high, const Distance& distance);
   void flood(const MapPoint& start);
+  template <class Wanted>
+  [[nodiscard]] std::optional<std::size_t> nearest(const MapPoint& place,
+                                                   const Wanted& wanted) const;
   [[nodiscard]] std::optional<std::size_t> nearest_free(const MapPoint& place) const;
   [[nodiscard]] std::vector<std::size_t> path(std::size_t from, std::size_t to) const;
   [[nodiscard]] std::vector<std::size_t> corners(const std::vector<std::size_t>& path) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -52,11 +53,41 @@ std::string record_text(const TrackRecord& record) {
   return text;
 }
 
+double stars_of(const Outline& outline, int warnings) {
+  const double stars = static_cast<double>(outline.rank) / static_cast<double>(kStar);
+  return std::clamp(hundredths(stars - kWarningStars * warnings), 0.0, 5.0);
+}
+
+/// Where tasks begin and the ways there, and what is told of it. Plans for a request mostly differ
+/// in their cases alone, so each is looked for once.
+class Survey {
+ public:
+  Survey(const PlanRequest& request, const Terrain& terrain)
+      : request_(request), terrain_(terrain) {}
+
+  const std::vector<Site>& of(const std::vector<std::size_t>& tasks, Changes& changes) {
+    const auto [at, fresh] = known_.try_emplace(tasks);
+    Found& found = at->second;
+    if (fresh) found.sites = place_tasks(request_, tasks, terrain_, found.changes);
+    changes.add(found.changes);
+    return found.sites;
+  }
+
+ private:
+  struct Found {
+    std::vector<Site> sites;
+    Changes changes;
+  };
+  const PlanRequest& request_;
+  const Terrain& terrain_;
+  std::map<std::vector<std::size_t>, Found> known_;
+};
+
 /// Makes one plan out of an outline.
 class Draft {
  public:
-  Draft(const PlanRequest& request, const Terrain& terrain, CaseSource& cases)
-      : request_(request), terrain_(terrain), cases_(cases) {}
+  Draft(const PlanRequest& request, const Terrain& terrain, CaseSource& cases, Survey& survey)
+      : request_(request), terrain_(terrain), cases_(cases), survey_(survey) {}
 
   Proposal made(const Outline& outline) {
     Proposal proposal;
@@ -73,7 +104,7 @@ class Draft {
 
  private:
   Plan squad_plan(const Outline& outline, const Squad& squad, OfferedPlan& offered) {
-    const std::vector<Site> sites = place_tasks(request_, squad.tasks, terrain_, changes_);
+    const std::vector<Site>& sites = survey_.of(squad.tasks, changes_);
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < squad.tasks.size(); ++i) {
       const std::size_t task = squad.tasks[i];
@@ -131,14 +162,15 @@ class Draft {
   }
 
   [[nodiscard]] double stars(const Outline& outline) const {
-    double stars = static_cast<double>(outline.rank) / static_cast<double>(kStar);
-    for (const PlanChange& change : changes_.all()) stars -= change.mended ? 0.0 : kWarningStars;
-    return std::clamp(hundredths(stars), 0.0, 5.0);
+    int warnings = 0;
+    for (const PlanChange& change : changes_.all()) warnings += change.mended ? 0 : 1;
+    return stars_of(outline, warnings);
   }
 
   const PlanRequest& request_;
   const Terrain& terrain_;
   CaseSource& cases_;
+  Survey& survey_;
   Changes changes_;
 };
 
@@ -156,6 +188,13 @@ bool is_new(const std::vector<Proposal>& proposals, const Proposal& one) {
                       [&](const Proposal& other) { return other.plan == one.plan; });
 }
 
+/// Whether there are `most` that nothing with fewer stars than `stars` can come before.
+bool are_enough(const std::vector<Proposal>& proposals, std::size_t most, double stars) {
+  const auto ahead = std::count_if(proposals.begin(), proposals.end(),
+                                   [&](const Proposal& one) { return one.offered.stars >= stars; });
+  return static_cast<std::size_t>(ahead) >= most;
+}
+
 Answer naive_answer(const PlanRequest& request) {
   Proposal proposal;
   proposal.plan = naive_plan(request);
@@ -167,13 +206,23 @@ Answer naive_answer(const PlanRequest& request) {
 }  // namespace
 
 Answer answer(const PlanRequest& request, const Terrain& terrain, const CaseIndex& index,
-              CaseSource& cases) {
+              CaseSource& cases, const Progress& progress) {
   refuse_mistakes(request);
   refuse_outside(request, terrain);
   if (request.naive) return naive_answer(request);
   Answer answer;
-  for (const Outline& outline : propose(request, terrain, index, request.top)) {
-    Proposal one = Draft(request, terrain, cases).made(outline);
+  const std::vector<Outline> outlines = propose(request, terrain, index, request.top);
+  Survey survey(request, terrain);
+  std::size_t drawn = 0;
+  for (const Outline& outline : outlines) {
+    if (progress) {
+      progress(static_cast<double>(drawn) / static_cast<double>(outlines.size()),
+               "plan " + std::to_string(drawn + 1) + " of " + std::to_string(outlines.size()));
+    }
+    ++drawn;
+    // Outlines come by rank, and without a warning a plan has the stars of its rank.
+    if (are_enough(answer.proposals, request.top, stars_of(outline, 0))) break;
+    Proposal one = Draft(request, terrain, cases, survey).made(outline);
     if (is_new(answer.proposals, one)) answer.proposals.push_back(std::move(one));
   }
   std::stable_sort(
