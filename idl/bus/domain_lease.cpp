@@ -1,47 +1,23 @@
 #include "idl/bus/domain_lease.h"
 
 #include <arpa/inet.h>
-#include <fcntl.h>
 #include <netinet/in.h>
-#include <sys/file.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <charconv>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
 #include "idl/bus/identity.h"
 #include "idl/bus/leftovers.h"
+#include "idl/bus/lock_file.h"
 #include "idl/bus/participant.h"
 
 namespace tacit {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Others could lay traps in a folder that they can write to.
-void make_private(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder.parent_path(), error);
-  struct stat status {};
-  const bool there =
-      (mkdir(folder.c_str(), 0700) == 0 || errno == EEXIST) && lstat(folder.c_str(), &status) == 0;
-  if (!there || !S_ISDIR(status.st_mode) || status.st_uid != geteuid()) {
-    throw BusError("the folder for domain leases, " + folder.string() +
-                   ", is not a folder of this user that can be written to");
-  }
-}
-
-int open_locked(const fs::path& path) {
-  const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (file < 0) throw BusError(path.string() + ": " + std::strerror(errno));
-  if (flock(file, LOCK_EX | LOCK_NB) == 0) return file;
-  close(file);
-  return -1;
-}
 
 bool is_port_free(std::uint16_t port) {
   const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -72,12 +48,6 @@ void write_nonce(int file, std::uint32_t nonce) {
 }
 
 }  // namespace
-
-fs::path lease_folder() {
-  const char* runtime = std::getenv("XDG_RUNTIME_DIR");
-  if (runtime != nullptr && *runtime != '\0') return fs::path(runtime) / "tacit";
-  return "/tmp/tacit-" + std::to_string(geteuid());
-}
 
 DomainLease DomainLease::take(std::uint32_t run_nonce, const fs::path& folder) {
   make_private(folder);

@@ -4,10 +4,9 @@
 #include <filesystem>
 #include <utility>
 
-namespace tacit {
+#include "idl/bus/lock_file.h"
 
-/// Where leases lie: $XDG_RUNTIME_DIR/tacit, or else /tmp/tacit-<uid>.
-[[nodiscard]] std::filesystem::path lease_folder();
+namespace tacit {
 
 /// A DDS domain for one run alone, so that several runs on one host never hear each other.
 ///

@@ -1,5 +1,7 @@
 #include "idl/bus/identity.h"
 
+#include <bit>
+
 namespace tacit {
 namespace {
 
@@ -12,8 +14,9 @@ std::uint8_t byte(std::uint32_t value, int shift) {
 GuidPrefix guid_prefix(const Identity& identity) {
   const std::uint32_t nonce = identity.run_nonce;
   const std::uint32_t incarnation = identity.incarnation;
-  const std::uint32_t role =
-      static_cast<std::uint32_t>(identity.party) << 12 | (incarnation & 0xfffU);
+  const auto party =
+      static_cast<std::uint32_t>(std::bit_width(static_cast<unsigned>(identity.party)));
+  const std::uint32_t role = party << 12 | (incarnation & 0xfffU);
   return {0x01,
           0x0f,
           byte(nonce, 24),

@@ -8,10 +8,10 @@
 
 namespace tacit {
 
-/// Who takes part in the traffic of one run.
+/// Who takes part in the traffic of one run, or in the wizard's.
 struct Identity {
   Party party = Party::Agent;
-  RobotId robot;                  ///< Of an agent; else 0.
+  RobotId robot;                  ///< Of an agent; of a client more of its incarnation; else 0.
   int domain = 1;                 ///< Of this run; see DomainLease.
   std::uint32_t run_nonce = 0;    ///< Tells runs apart; the same in all processes of one.
   std::uint32_t incarnation = 0;  ///< Tells processes with the same role apart; 0 for the world.
@@ -29,8 +29,13 @@ using GuidPrefix = std::array<std::uint8_t, 12>;
 /// True for the prefixes of all participants of the run.
 [[nodiscard]] bool of_run(const GuidPrefix& prefix, std::uint32_t run_nonce);
 
-/// The UDP port on 127.0.0.1 at which the world server of `domain` answers; no port that the
-/// standard hands out itself.
+/// The domain on which a wizard is looked for, one that no run gets.
+inline constexpr int kWizardDomain = 101;
+/// All wizards' and their clients'.
+inline constexpr std::uint32_t kWizardNonce = 0x7ac17;
+
+/// The UDP port on 127.0.0.1 at which the world server or the wizard of `domain` answers; no port
+/// that the standard hands out itself.
 [[nodiscard]] std::uint16_t discovery_port(int domain);
 
 }  // namespace tacit

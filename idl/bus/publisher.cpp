@@ -14,11 +14,13 @@
 #include "idl/bus/convert_lockstep.h"
 #include "idl/bus/convert_team.h"
 #include "idl/bus/convert_views.h"
+#include "idl/bus/convert_wizard.h"
 #include "idl/bus/entities.h"
 #include "idl/bus/qos.h"
 #include "idl/bus/wire_of.h"
 #include "idl/wire/lockstepPubSubTypes.h"
 #include "idl/wire/teamPubSubTypes.h"
+#include "idl/wire/wizardPubSubTypes.h"
 
 namespace tacit {
 
@@ -136,5 +138,7 @@ template class Publisher<topics::WorldView>;
 template class Publisher<topics::Trajectory>;
 template class Publisher<topics::Control>;
 template class Publisher<topics::Status>;
+template class Publisher<topics::WizardRequest>;
+template class Publisher<topics::WizardReply>;
 
 }  // namespace tacit

@@ -23,9 +23,13 @@ constexpr const char* kLoopback = "127.0.0.1";
 constexpr int kEveryTickDepth = 2;
 /// How far the reader of a topic without gaps may fall behind before its writer waits.
 constexpr int kNoGapsDepth = 512;
+/// Questions that a reader may be behind.
+constexpr int kQuestionDepth = 64;
 const Duration_t kNoGapsPatience{5, 0};
 /// The time after which a lost sample of a reliable topic is noticed.
 const Duration_t kHeartbeat{0, 50'000'000};
+/// The same where somebody waits for a word that may take many datagrams.
+const Duration_t kShortHeartbeat{0, 5'000'000};
 
 rtps::GuidPrefix_t to_rtps(const GuidPrefix& prefix) {
   rtps::GuidPrefix_t out;
@@ -42,7 +46,9 @@ rtps::Locator_t server_locator(int domain) {
 }
 
 rtps::GuidPrefix_t server_prefix(const Identity& identity) {
-  return to_rtps(guid_prefix({Party::World, {}, identity.domain, identity.run_nonce, 0}));
+  const bool of_wizard = identity.party == Party::Wizard || identity.party == Party::Client;
+  const Party server = of_wizard ? Party::Wizard : Party::World;
+  return to_rtps(guid_prefix({server, {}, identity.domain, identity.run_nonce, 0}));
 }
 
 void set_discovery(rtps::BuiltinAttributes& builtin, const Identity& identity) {
@@ -52,7 +58,7 @@ void set_discovery(rtps::BuiltinAttributes& builtin, const Identity& identity) {
   discovery.discoveryServer_client_syncperiod = Duration_t(0, 100'000'000);
   builtin.use_WriterLivelinessProtocol = false;
   builtin.mutation_tries = 2000;
-  if (identity.party == Party::World) {
+  if (identity.party == Party::World || identity.party == Party::Wizard) {
     discovery.discoveryProtocol = rtps::DiscoveryProtocol::SERVER;
     builtin.metatrafficUnicastLocatorList.push_back(server_locator(identity.domain));
   } else {
@@ -113,6 +119,9 @@ void set_endpoint(Qos& qos, Promise promise) {
     case Promise::NoGaps:
       bounded(qos, dds::KEEP_ALL_HISTORY_QOS, kNoGapsDepth);
       break;
+    case Promise::Question:
+      bounded(qos, dds::KEEP_LAST_HISTORY_QOS, kQuestionDepth);
+      break;
   }
 }
 
@@ -129,8 +138,9 @@ void set_participant(dds::DomainParticipantQos& qos, const Identity& identity) {
 
 void set_writer(dds::DataWriterQos& qos, Promise promise) {
   set_endpoint(qos, promise);
+  const bool awaited = promise == Promise::Question || promise == Promise::LatestState;
   qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
-  qos.reliable_writer_qos().times.heartbeatPeriod = kHeartbeat;
+  qos.reliable_writer_qos().times.heartbeatPeriod = awaited ? kShortHeartbeat : kHeartbeat;
   qos.reliability().max_blocking_time =
       promise == Promise::NoGaps ? kNoGapsPatience : Duration_t(0, 100'000'000);
 }

@@ -13,7 +13,8 @@ namespace tacit::qos {
 
 /// How promises and transports become Fast DDS settings: the one place.
 
-/// Discovery and small traffic over UDP on 127.0.0.1, with the world's participant as the server.
+/// Discovery and small traffic over UDP on 127.0.0.1, with the world's participant as the server,
+/// the wizard's among its clients.
 void set_participant(eprosima::fastdds::dds::DomainParticipantQos& qos, const Identity& identity);
 void set_writer(eprosima::fastdds::dds::DataWriterQos& qos, Promise promise);
 void set_reader(eprosima::fastdds::dds::DataReaderQos& qos, Promise promise);

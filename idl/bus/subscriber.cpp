@@ -15,11 +15,13 @@
 #include "idl/bus/convert_lockstep.h"
 #include "idl/bus/convert_team.h"
 #include "idl/bus/convert_views.h"
+#include "idl/bus/convert_wizard.h"
 #include "idl/bus/entities.h"
 #include "idl/bus/qos.h"
 #include "idl/bus/wire_of.h"
 #include "idl/wire/lockstepPubSubTypes.h"
 #include "idl/wire/teamPubSubTypes.h"
+#include "idl/wire/wizardPubSubTypes.h"
 
 namespace tacit {
 
@@ -160,5 +162,7 @@ template class Subscriber<topics::WorldView>;
 template class Subscriber<topics::Trajectory>;
 template class Subscriber<topics::Control>;
 template class Subscriber<topics::Status>;
+template class Subscriber<topics::WizardRequest>;
+template class Subscriber<topics::WizardReply>;
 
 }  // namespace tacit

@@ -25,6 +25,10 @@ class Control;
 class ControlPubSubType;
 class RunStatus;
 class RunStatusPubSubType;
+class WizardRequest;
+class WizardRequestPubSubType;
+class WizardReply;
+class WizardReplyPubSubType;
 }  // namespace wire
 
 /// Up to this many bytes a sample is copied; above, it is handed over where it lies.
@@ -57,5 +61,9 @@ template <>
 struct WireOf<Control> : WirePair<wire::Control, wire::ControlPubSubType> {};
 template <>
 struct WireOf<RunStatus> : WirePair<wire::RunStatus, wire::RunStatusPubSubType> {};
+template <>
+struct WireOf<WizardRequest> : WirePair<wire::WizardRequest, wire::WizardRequestPubSubType> {};
+template <>
+struct WireOf<WizardReply> : WirePair<wire::WizardReply, wire::WizardReplyPubSubType> {};
 
 }  // namespace tacit

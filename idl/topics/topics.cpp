@@ -15,16 +15,30 @@ std::string line(const char* verb, const std::string& topic, Promise promise) {
 }
 
 std::string shown_name(Scope scope, std::string_view name) {
-  return scope == Scope::Robot ? "tacit/robot_<id>/" + std::string(name)
-                               : "tacit/" + std::string(name);
+  switch (scope) {
+    case Scope::Robot:
+      return "tacit/robot_<id>/" + std::string(name);
+    case Scope::Client:
+      return "tacit/client_<box>/" + std::string(name);
+    case Scope::Team:
+      break;
+  }
+  return "tacit/" + std::string(name);
 }
 
 }  // namespace
 
 std::string topic_name(Scope scope, std::string_view name, RobotId robot) {
-  return scope == Scope::Robot
-             ? "tacit/robot_" + std::to_string(robot.value) + "/" + std::string(name)
-             : "tacit/" + std::string(name);
+  const std::string number = std::to_string(robot.value);
+  switch (scope) {
+    case Scope::Robot:
+      return "tacit/robot_" + number + "/" + std::string(name);
+    case Scope::Client:
+      return "tacit/client_" + number + "/" + std::string(name);
+    case Scope::Team:
+      break;
+  }
+  return "tacit/" + std::string(name);
 }
 
 const char* name(Promise promise) {
@@ -41,6 +55,8 @@ const char* name(Promise promise) {
       return "must arrive";
     case Promise::NoGaps:
       return "no gaps";
+    case Promise::Question:
+      return "question";
   }
   return "";
 }

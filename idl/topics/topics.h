@@ -7,6 +7,8 @@
 #include "idl/types/event_batch.h"
 #include "idl/types/ids.h"
 #include "idl/types/percept.h"
+#include "idl/types/plan_answer.h"
+#include "idl/types/plan_request.h"
 #include "idl/types/roster.h"
 #include "idl/types/telemetry.h"
 #include "idl/types/world_view.h"
@@ -21,10 +23,18 @@ enum class Promise {
   LatestState,  ///< The newest value reaches every reader, also one that comes later.
   MustArrive,   ///< Every value reaches every reader in order, also one that comes later.
   NoGaps,       ///< Every value reaches the readers that are there; the sender waits for them.
+  Question,     ///< Of any size; one that its reader was too slow or not there for is asked again.
 };
 
-/// The kinds of process that take part in a run.
-enum class Party : unsigned { World = 1, Agent = 2, Console = 4, Launcher = 8 };
+/// The kinds of process: those of a run, and on a domain of their own the wizard and its clients.
+enum class Party : unsigned {
+  World = 1,
+  Agent = 2,
+  Console = 4,
+  Launcher = 8,
+  Wizard = 16,
+  Client = 32
+};
 
 /// A set of kinds.
 struct Parties {
@@ -40,9 +50,14 @@ struct Parties {
 };
 constexpr Parties operator|(Party a, Party b) { return Parties(a) | Parties(b); }
 
-/// Whose topic it is: one for each robot ("tacit/robot_<id>/<name>") or one for the team
-/// ("tacit/<name>").
-enum class Scope { Robot, Team };
+/// Whose topic it is: one for each robot ("tacit/robot_<id>/<name>"), one for the team
+/// ("tacit/<name>"), or one for each client of the wizard ("tacit/client_<box>/<name>").
+enum class Scope { Robot, Team, Client };
+
+/// Where replies to a client go. Two clients may have one box, so each looks for its own.
+[[nodiscard]] constexpr RobotId reply_box(std::uint64_t client) {
+  return {static_cast<std::uint16_t>(client & 0xffffU)};
+}
 
 /// Every topic, once. A process that is not among the writers never writes it.
 namespace topics {
@@ -139,6 +154,26 @@ struct Status {
   static constexpr Parties kReaders = Party::Console | Party::Launcher;
 };
 
+/// What people, through their programs, ask of the wizard.
+struct WizardRequest {
+  using Word = tacit::WizardRequest;
+  static constexpr std::string_view kName = "wizard/request";
+  static constexpr Scope kScope = Scope::Team;
+  static constexpr Promise kPromise = Promise::Question;
+  static constexpr Parties kWriters = Party::Client;
+  static constexpr Parties kReaders = Party::Wizard;
+};
+
+/// What the wizard says to it.
+struct WizardReply {
+  using Word = tacit::WizardReply;
+  static constexpr std::string_view kName = "wizard/reply";
+  static constexpr Scope kScope = Scope::Client;
+  static constexpr Promise kPromise = Promise::LatestState;
+  static constexpr Parties kWriters = Party::Wizard;
+  static constexpr Parties kReaders = Party::Client;
+};
+
 }  // namespace topics
 
 /// Calls `visit(Topic{})` for every topic.
@@ -154,9 +189,12 @@ void for_each_topic(Visit&& visit) {
   visit(topics::Trajectory{});
   visit(topics::Control{});
   visit(topics::Status{});
+  visit(topics::WizardRequest{});
+  visit(topics::WizardReply{});
 }
 
-/// "tacit/robot_3/percept", "tacit/events". `robot` counts for a robot's topic alone.
+/// "tacit/robot_3/percept", "tacit/events". `robot` counts for a robot's topic and, as a
+/// box, for a client's.
 [[nodiscard]] std::string topic_name(Scope scope, std::string_view name, RobotId robot);
 
 template <class Topic>

@@ -6,10 +6,9 @@
 #include <variant>
 #include <vector>
 
-namespace tacit {
+#include "idl/types/plan_request.h"
 
-/// Counts from 1 in the order of storing; never given twice.
-using CaseId = std::uint64_t;
+namespace tacit {
 
 /// How one feature of a case fits what was looked for.
 struct FeatureMatch {
@@ -44,10 +43,9 @@ struct PlanChange {
 
 /// A plan that can be run as it is.
 struct OfferedPlan {
-  std::uint64_t number = 0;  ///< By which an outcome is reported; given by the wizard's service.
-  double stars = 0.0;        ///< 0 to 5.
-  std::string arrangement;   ///< "Every robot does every task, in order."
-  std::string mission;       ///< In CDL.
+  double stars = 0.0;       ///< 0 to 5.
+  std::string arrangement;  ///< "Every robot does every task, in order."
+  std::string mission;      ///< In CDL.
   std::vector<UsedCase> cases;
   std::vector<PlanChange> changes;
   friend bool operator==(const OfferedPlan&, const OfferedPlan&) = default;

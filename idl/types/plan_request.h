@@ -25,6 +25,9 @@ enum class Environment : std::uint8_t { Indoor, Outdoor };
 /// Robots that a plan may be for.
 inline constexpr int kMostPlannedRobots = 10;
 
+/// Counts from 1 in the order of storing; never given twice.
+using CaseId = std::uint64_t;
+
 /// What a case is found by: all of it is known of a case.
 struct CaseFeatures {
   Task task = Task::Waypoints;
@@ -73,9 +76,10 @@ struct AskForPlans {
   friend bool operator==(const AskForPlans&, const AskForPlans&) = default;
 };
 
-/// "So it went", about a plan that the wizard gave.
+/// "So it went", about a plan that the wizard gave or about a case. Nothing has to be remembered
+/// between a plan and its outcome, so neither a wizard nor a client that starts anew loses one.
 struct ReportOutcome {
-  std::uint64_t plan = 0;             ///< `OfferedPlan::number`.
+  std::vector<CaseId> cases;          ///< That the plan was made from; at least one.
   double score = 0.0;                 ///< Of a debrief or of a person: 0 to 1.
   std::vector<std::string> failures;  ///< Sub-tasks that were not done, a sentence each.
   std::string map;                    ///< What the map is called.
