@@ -1,0 +1,36 @@
+#include "wizard_service/app/grounds.h"
+
+#include <algorithm>
+
+#include "idl/overlay/reader.h"
+#include "idl/types/config_error.h"
+
+namespace tacit {
+namespace {
+
+cbr::Terrain terrain_of(const std::string& map) {
+  const OverlayReading reading = read_overlay(map);
+  std::string text;
+  for (const MapFinding& finding : reading.findings) {
+    if (finding.severity != Severity::Error) continue;
+    text += (text.empty() ? "" : "\n") + to_text(finding, "map");
+  }
+  if (!text.empty()) throw ConfigError(text);
+  return cbr::Terrain(reading.map);
+}
+
+}  // namespace
+
+const cbr::Terrain& Grounds::of(const std::string& map) {
+  const auto at = std::find_if(kept_.begin(), kept_.end(),
+                               [&](const Ground& ground) { return ground.map == map; });
+  if (at != kept_.end()) {
+    kept_.splice(kept_.begin(), kept_, at);
+  } else {
+    kept_.push_front({map, terrain_of(map)});
+    if (kept_.size() > kMost) kept_.pop_back();
+  }
+  return kept_.front().terrain;
+}
+
+}  // namespace tacit
