@@ -38,6 +38,8 @@ Exit command_line(int argc, char** argv) {
   add_run(app, ending);
   add_learn(app, ending);
   add_experiment(app, ending);
+  add_plan(app, ending);
+  add_wizard(app, ending);
   add_scenarios(app, ending);
   add_preview(app, ending);
   add_operate(app, ending);

@@ -1,15 +1,9 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
-#include <iostream>
 #include <memory>
 
 #include "deploy/tacit/commands.h"
-#include "deploy/tacit/dds_run.h"
-#include "deploy/tacit/one_process_run.h"
+#include "deploy/tacit/make_run.h"
 #include "deploy/tacit/operation_options.h"
-#include "deploy/tacit/run_debrief.h"
-#include "deploy/tacit/say.h"
-#include "deploy/tacit/summary.h"
 #include "idl/types/config_error.h"
 
 namespace tacit {
@@ -86,55 +80,12 @@ void add_run_options(CLI::App& run, RunWish& wish, std::string& speed) {
   run.add_flag("--quiet", wish.quiet, "No progress");
 }
 
-/// None when the run is no operation, and when what was recorded of it cannot be read.
-std::optional<Checklist> checklist_of(const RunDirectory& directory) {
-  try {
-    return debrief_of(directory);
-  } catch (const ConfigError& error) {
-    say(error.what());
-    return std::nullopt;
-  }
-}
-
-void tell(const RunPlan& plan, const RunDirectory& directory) {
-  const std::optional<RunOutcome> outcome = directory.outcome();
-  if (!outcome) {
-    say("there is no result; what was recorded lies in " + directory.path().string());
-    return;
-  }
-  const std::optional<Checklist> checklist = checklist_of(directory);
-  std::cout << (plan.wish.json ? summary_json(directory, *outcome, checklist)
-                               : summary_text(directory, *outcome))
-            << std::endl;
-  if (checklist && !plan.wish.json && !plan.wish.quiet) {
-    std::cout << '\n' << checklist_text(*checklist) << std::endl;
-  }
-}
-
-/// The command line of this process.
-std::vector<std::string> words_typed() {
-  std::ifstream in("/proc/self/cmdline", std::ios::binary);
-  std::vector<std::string> words;
-  for (std::string word; std::getline(in, word, '\0');) {
-    words.push_back(word);
-  }
-  return words;
-}
-
 Exit run(RunWish wish) {
   if (wish.profile && !wish.one_process) {
     throw ConfigError("--profile: found a run over DDS, wanted --one-process beside it");
   }
-  const RunPlan plan = tacit::plan(std::move(wish));
   Signals signals;
-  const RunDirectory directory = make_directory(plan);
-  const Ending ending = plan.wish.one_process ? run_in_one_process(plan, directory, signals)
-                                              : run_over_dds(plan, directory, signals);
-  if (!ending.because.empty()) {
-    say(ending.because);
-  }
-  tell(plan, directory);
-  return ending.exit;
+  return make_run(std::move(wish), signals).exit;
 }
 
 }  // namespace
