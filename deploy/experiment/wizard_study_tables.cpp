@@ -54,6 +54,15 @@ std::string missing(const StudyFlight& one) {
   return text;
 }
 
+/// With the reasons.
+std::string reasons(const StudyFlight& one) {
+  std::string text = one.refusal;
+  for (const std::string& failure : one.flight.failures()) {
+    text += (text.empty() ? "" : " | ") + failure;
+  }
+  return text;
+}
+
 std::int64_t whole(std::size_t count) { return static_cast<std::int64_t>(count); }
 
 }  // namespace
@@ -110,7 +119,7 @@ Table study_flights_table(std::span<const StudyFlight> flights, const std::strin
     table.rows.push_back({std::int64_t{one.robots}, std::string(word(one.planner)),
                           static_cast<std::int64_t>(one.flight.seed), whole(one.flight.list.done()),
                           whole(one.flight.list.wanted()), one.score(), one.flight.time_s,
-                          missing(one), version});
+                          reasons(one), version});
   }
   return table;
 }

@@ -19,7 +19,7 @@ inline constexpr double kGoodScore = 0.9;
 /// missing. Those of the naive plans, which hardly ever do all, are left out.
 [[nodiscard]] Table study_failures(std::span<const StudyFlight> flights);
 
-/// A row for each flight, made by this version.
+/// A row for each flight, made by this version, with the sub-tasks that are missing and why.
 [[nodiscard]] Table study_flights_table(std::span<const StudyFlight> flights,
                                         const std::string& version);
 
