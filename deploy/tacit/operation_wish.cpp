@@ -6,6 +6,7 @@
 #include "console/record/files.h"
 #include "console/record/record_error.h"
 #include "deploy/lockstep/compose_operation.h"
+#include "deploy/lockstep/operation_setup.h"
 #include "deploy/tacit/scenario_library.h"
 #include "idl/scenario/values.h"
 #include "idl/types/config_error.h"
@@ -87,9 +88,6 @@ std::string toml_rows(const std::vector<std::vector<double>>& rows) {
   return text + "]";
 }
 
-/// Simulated time after which a mission that has not ended is out of time: an hour.
-constexpr const char* kDuration = "3600.0";
-
 }  // namespace
 
 bool asks_for_mission(const RunWish& wish) { return wish.scenario.ends_with(".cdl"); }
@@ -101,7 +99,7 @@ ScenarioFile operation_scenario(const RunWish& wish) {
   const std::string text =
       "[scenario]\nname = " + toml_string(name) + "\ndescription = " +
       toml_string("The mission " + operation.mission.name + " on the map " + operation.map.name) +
-      "\nmission = \"operation\"\n[run]\nduration_s = " + kDuration +
+      "\nmission = \"operation\"\n[run]\nduration_s = " + toml_number(kOperation_s) +
       "\n[robots]\ncount = " + std::to_string(script.starts.size()) +
       "\n[operation]\nmission = " + toml_string(script.mission) +
       "\nextras = " + toml_string(script.extras) +

@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "console/debrief/debrief.h"
-#include "deploy/lockstep/compose_operation.h"
-#include "deploy/lockstep/setup.h"
+#include "deploy/lockstep/operation_setup.h"
 #include "deploy/lockstep/team.h"
 #include "idl/overlay/plan.h"
 #include "idl/overlay/reader.h"
-#include "world_server/map/take_map.h"
 
 namespace tacit::testing {
 
@@ -49,13 +47,8 @@ struct Outcome {
 
 /// Carries an operation out in one process, for at most `last_tick` ticks.
 inline Outcome carry_out(const OperationWish& wish, std::uint64_t seed, Tick last_tick = 36'000) {
-  Setup setup = setup_for(MissionKind::Operation);
-  setup.world.operation.script = compose_operation(wish);
+  const Setup setup = operation_setup(wish);
   const OperationScript& script = setup.world.operation.script;
-  setup.world.robots.count = static_cast<std::int64_t>(script.starts.size());
-  ScenarioFile nothing = ScenarioFile::parse("", "test");
-  take_map(setup.world, nothing);
-  setup.brain.script = script;
   Team team(setup.world, setup.brain, seed);
   Debrief::Config config;
   config.team = script.starts.size() - static_cast<std::size_t>(script.extra_count);

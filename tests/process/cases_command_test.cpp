@@ -162,6 +162,20 @@ TEST_F(CasesCommand, RefusesABadFileAndStoresNoneOfTheOthers) {
   EXPECT_EQ(listed().size(), 0U);
 }
 
+TEST_F(CasesCommand, ReadsMissionLabsOwnLibrary) {
+  const fs::path library =
+      fs::path(TACIT_SOURCE_DIR) / "../shared/missionlab-samples/mars_demos_sample_cbrplanner.cbl";
+  if (!fs::exists(library)) GTEST_SKIP() << "no sample of MissionLab's library";
+  EXPECT_EQ(cases({"import", library}).out, "Stored 5 new cases; 0 were there.\n");
+}
+
+TEST_F(CasesCommand, NamesTheLineOfALibraryThatIsDamaged) {
+  std::ofstream(scratch / "cut.cbl") << "DATA START\nPLAN START\nDATA END\n";
+  const std::string said = refusal({"import", scratch / "cut.cbl"});
+  EXPECT_NE(said.find("cut.cbl:3: found the end of DATA, wanted that of PLAN"), std::string::npos)
+      << said;
+}
+
 TEST_F(CasesCommand, RefusesWhatIsNotThereAndWhatMakesNoSense) {
   import_two();
   EXPECT_NE(refusal({"show", "9"}).find("case 9 is not there"), std::string::npos);

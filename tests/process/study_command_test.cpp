@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -28,6 +29,19 @@ TEST(StudyCommand, KeepsTablesWithVersionAndSeeds) {
   EXPECT_EQ(std::count(flights.begin(), flights.end(), '\n'), 5);
   EXPECT_TRUE(fs::exists(scratch / "out" / "study.csv"));
   EXPECT_TRUE(fs::exists(scratch / "out" / "failures.csv"));
+}
+
+TEST(StudyCommand, TellsWhatWasFlownWhenItIsInterrupted) {
+  const Scratch scratch;
+  Running running(tacit_words({"experiment", "wizard", "--sites", "100000", "--robots", "1",
+                               "--planners", "expert", "--out", scratch / "out"}));
+  ASSERT_TRUE(becomes_true([&] { return !running.said().empty(); }));
+  running.send(SIGINT);
+  const Finished finished = running.finish(std::chrono::seconds(30));
+  EXPECT_EQ(finished.exit_code, 130) << finished.err;
+  EXPECT_NE(finished.out.find("; cut short"), std::string::npos) << finished.out;
+  const json report = json::parse(text_of(scratch / "out" / "report.json"), nullptr, false);
+  EXPECT_EQ(report["cut_short"], true);
 }
 
 TEST(StudyCommand, RefusesWhatMakesNoSense) {
