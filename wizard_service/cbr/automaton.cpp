@@ -55,6 +55,22 @@ std::vector<const PlanState*> reachable_from(const RobotPlan& robot, std::string
   return reached;
 }
 
+bool ends_for_all(const PlanState& state) {
+  return behaviour_name(state.behaviour) == "TerminateMission";
+}
+
+bool ends_by_itself(const RobotPlan& part) {
+  const auto reached = reachable_from(part, kStart);
+  return std::any_of(reached.begin(), reached.end(),
+                     [](const PlanState* one) { return is_end(*one); });
+}
+
+bool ends_for_all(const RobotPlan& part) {
+  const auto reached = reachable_from(part, kStart);
+  return std::any_of(reached.begin(), reached.end(),
+                     [](const PlanState* one) { return ends_for_all(*one); });
+}
+
 std::string fresh_name(const RobotPlan& robot) {
   for (std::size_t number = robot.states.size();; ++number) {
     std::string name = "$AN_" + std::to_string(number);

@@ -23,6 +23,13 @@ inline constexpr std::string_view kStart = "Start";
 /// leads out of.
 [[nodiscard]] bool is_end(const PlanState& state);
 
+/// Whether the whole mission is over in it.
+[[nodiscard]] bool ends_for_all(const PlanState& state);
+
+/// Whether the part can come to an end, or to one for all, by its own rules.
+[[nodiscard]] bool ends_by_itself(const RobotPlan& part);
+[[nodiscard]] bool ends_for_all(const RobotPlan& part);
+
 /// The states that rules lead to from `from`, with it, in the automaton's order.
 [[nodiscard]] std::vector<const PlanState*> reachable_from(const RobotPlan& robot,
                                                            std::string_view from);

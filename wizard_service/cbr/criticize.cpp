@@ -7,6 +7,7 @@
 
 #include "wizard_service/cbr/automaton.h"
 #include "wizard_service/cbr/plan_cdl.h"
+#include "wizard_service/cbr/watch.h"
 
 namespace tacit::cbr {
 namespace {
@@ -202,11 +203,7 @@ bool searches(const Plan& plan, const RobotPlan& robot) {
 
 bool watches_for_enemies(const RobotPlan& robot) {
   return std::any_of(robot.states.begin(), robot.states.end(), [](const PlanState& state) {
-    return std::any_of(state.rules.begin(), state.rules.end(), [](const PlanRule& rule) {
-      const std::string* objects = parameter(rule.trigger, "Objects");
-      return behaviour_name(rule.trigger) == "Detect" && objects != nullptr &&
-             objects->find("Enem") != std::string::npos;
-    });
+    return std::any_of(state.rules.begin(), state.rules.end(), sees_enemies);
   });
 }
 

@@ -127,11 +127,15 @@ class Cutter {
   }
 
   [[nodiscard]] bool begins(const PlanState& state) const {
-    return named(state.behaviour) == "StartSubMission";
+    return named(state.behaviour) == "StartSubMission" && !is_on_the_way(state);
+  }
+
+  [[nodiscard]] static bool is_on_the_way(const PlanState& state) {
+    return state.label.starts_with(kWayLabel);
   }
 
   [[nodiscard]] bool is_joint(const PlanState& state) const {
-    return begins(state) || state.label.starts_with(kWayLabel);
+    return begins(state) || is_on_the_way(state);
   }
 
   /// To a joint, or to what only waits to go on to one.

@@ -23,8 +23,10 @@ struct Piece {
 /// Before each stands its joint: states called "Way to N" along the way, then a StartSubMission.
 /// Where a piece ends for a robot, that robot goes on to the next joint. A robot whose part in a
 /// piece has no end of its own, such as one that covers another, is told by a word when another one
-/// ends the piece for all. `alone` says that nobody else takes part in the mission: then the last
-/// piece may end the mission for all; otherwise it ends by a word as well.
+/// ends the piece for all. Where the robots of a piece warn each other of enemies they do so on the
+/// way to it, and on the way to the pieces before it, too. `alone` says that nobody else takes part
+/// in the mission: then the last piece may end the mission for all; otherwise it ends by a word as
+/// well.
 [[nodiscard]] Plan join(const std::vector<Piece>& pieces, const Terrain& terrain, bool alone,
                         Changes& changes);
 

@@ -19,14 +19,27 @@ constexpr double kBefore = 2.0;
 /// From one place on a way that is looked at to the next.
 constexpr double kStep = 0.25;
 
+/// How far a robot goes into a hallway before its task begins, so that it is in it for certain.
+constexpr double kInside = 1.0;
+constexpr double kDeepest = 3.0;
+
+/// Far enough for those that stop short of the first to be inside as well.
+double inside_for(const Squad& squad) {
+  return std::min(kInside + kSpacing * (squad.robots - 1), kDeepest);
+}
+
 bool same(const MapPoint& a, const MapPoint& b) { return distance(a, b) < kSame; }
 
 std::string told(const MapPoint& place) { return '(' + place_text(place.x_m, place.y_m) + ')'; }
 
 class Surveyor {
  public:
-  Surveyor(const PlanRequest& request, const Terrain& terrain, Changes& changes)
-      : request_(request), terrain_(terrain), changes_(changes), here_(terrain.start()) {}
+  Surveyor(const PlanRequest& request, const Terrain& terrain, double inside, Changes& changes)
+      : request_(request),
+        terrain_(terrain),
+        inside_(inside),
+        changes_(changes),
+        here_(terrain.start()) {}
 
   Site site_for(std::size_t index) {
     const PlacedTask& task = request_.tasks[index];
@@ -47,7 +60,7 @@ class Surveyor {
  private:
   MapPoint in_hallway(const PlacedTask& task) {
     const MapPoint placed{task.x_m, task.y_m};
-    const std::optional<MapPoint> entry = terrain_.hallway_entry(here_, placed);
+    const std::optional<MapPoint> entry = terrain_.hallway_entry(here_, placed, inside_);
     if (!entry) {
       changes_.warn("no-building",
                     name_ + " is for a building with a hallway, and the map has " +
@@ -115,6 +128,7 @@ class Surveyor {
 
   const PlanRequest& request_;
   const Terrain& terrain_;
+  double inside_;
   Changes& changes_;
   MapPoint here_;
   std::optional<MapPoint> outside_;
@@ -129,11 +143,11 @@ bool is_for_building(const PlacedTask& task) {
          task.environment.value_or(usual_features(task.task).environment) == Environment::Indoor;
 }
 
-std::vector<Site> place_tasks(const PlanRequest& request, const std::vector<std::size_t>& tasks,
+std::vector<Site> place_tasks(const PlanRequest& request, const Squad& squad,
                               const Terrain& terrain, Changes& changes) {
-  Surveyor surveyor(request, terrain, changes);
+  Surveyor surveyor(request, terrain, inside_for(squad), changes);
   std::vector<Site> sites;
-  for (const std::size_t task : tasks) sites.push_back(surveyor.site_for(task));
+  for (const std::size_t task : squad.tasks) sites.push_back(surveyor.site_for(task));
   return sites;
 }
 

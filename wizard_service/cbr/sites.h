@@ -4,6 +4,7 @@
 
 #include "idl/types/plan_request.h"
 #include "wizard_service/cbr/changes.h"
+#include "wizard_service/cbr/propose.h"
 #include "wizard_service/cbr/terrain.h"
 
 namespace tacit::cbr {
@@ -16,12 +17,14 @@ struct Site {
   bool out_of_building = false;  ///< It begins wherever in a building the task before ended.
 };
 
-/// Criticizes the places of `tasks`, indices into the request's, which are done one after another
-/// from the map's start, and finds the ways between them. A place in a wall or out of reach moves
+/// How far behind each other robots stop that come to one place, in metres. [ours]
+inline constexpr double kSpacing = 0.8;
+
+/// Criticizes the places of the tasks of `squad`, which are done one after another from the map's
+/// start, and finds the ways between them. A place in a wall or out of reach moves
 /// to the nearest one that can be reached, a task for a building that was placed in the open into
 /// the hallway of the nearest one. Each change is told.
-[[nodiscard]] std::vector<Site> place_tasks(const PlanRequest& request,
-                                            const std::vector<std::size_t>& tasks,
+[[nodiscard]] std::vector<Site> place_tasks(const PlanRequest& request, const Squad& squad,
                                             const Terrain& terrain, Changes& changes);
 
 /// Whether a task is done by going through a building.

@@ -10,9 +10,6 @@
 namespace tacit::cbr {
 namespace {
 
-/// How far a robot goes into a hallway before its task begins, so that it is in it for certain.
-constexpr double kInside = 1.0;
-
 MapPoint nearest_on(const MapPoint& p, const MapPoint& a, const MapPoint& b) {
   const double dx = b.x_m - a.x_m;
   const double dy = b.y_m - a.y_m;
@@ -117,7 +114,8 @@ const MapHallway* Terrain::hallway_nearest(const MapPoint& place) const {
   return best;
 }
 
-std::optional<MapPoint> Terrain::hallway_entry(const MapPoint& from, const MapPoint& place) const {
+std::optional<MapPoint> Terrain::hallway_entry(const MapPoint& from, const MapPoint& place,
+                                               double inside_m) const {
   const MapPoint begin = to_world(from);
   const MapHallway* hall = hallway_nearest(to_world(place));
   if (hall == nullptr) return std::nullopt;
@@ -138,7 +136,7 @@ std::optional<MapPoint> Terrain::hallway_entry(const MapPoint& from, const MapPo
       const MapPoint p{way[i].x_m + share * (way[i + 1].x_m - way[i].x_m),
                        way[i].y_m + share * (way[i + 1].y_m - way[i].y_m)};
       inside += holds_point(hall->outline, p) ? kStep : 0.0;
-      if (inside >= kInside) return to_map(nearest_on_line(p, hall->centre_line));
+      if (inside >= inside_m) return to_map(nearest_on_line(p, hall->centre_line));
     }
   }
   return to_map(middle);

@@ -45,11 +45,11 @@ class Terrain {
   [[nodiscard]] bool has_building() const;
   /// Whether it lies in a room or hallway.
   [[nodiscard]] bool in_building(const MapPoint& place) const;
-  /// Where a robot that comes from `from` stands in the hallway nearest to `place`, far enough
-  /// inside to go on along it: `from` itself when that lies there. None on a map without hallways
-  /// that can be reached.
-  [[nodiscard]] std::optional<MapPoint> hallway_entry(const MapPoint& from,
-                                                      const MapPoint& place) const;
+  /// Where a robot that comes from `from` stands in the hallway nearest to `place`, `inside_m`
+  /// along the way from where it comes in: `from` itself when that lies there. None on a map
+  /// without hallways that can be reached.
+  [[nodiscard]] std::optional<MapPoint> hallway_entry(const MapPoint& from, const MapPoint& place,
+                                                      double inside_m) const;
 
  private:
   class Grid;

@@ -65,10 +65,10 @@ class Survey {
   Survey(const PlanRequest& request, const Terrain& terrain)
       : request_(request), terrain_(terrain) {}
 
-  const std::vector<Site>& of(const std::vector<std::size_t>& tasks, Changes& changes) {
-    const auto [at, fresh] = known_.try_emplace(tasks);
+  const std::vector<Site>& of(const Squad& squad, Changes& changes) {
+    const auto [at, fresh] = known_.try_emplace({squad.robots, squad.tasks});
     Found& found = at->second;
-    if (fresh) found.sites = place_tasks(request_, tasks, terrain_, found.changes);
+    if (fresh) found.sites = place_tasks(request_, squad, terrain_, found.changes);
     changes.add(found.changes);
     return found.sites;
   }
@@ -80,7 +80,7 @@ class Survey {
   };
   const PlanRequest& request_;
   const Terrain& terrain_;
-  std::map<std::vector<std::size_t>, Found> known_;
+  std::map<std::pair<int, std::vector<std::size_t>>, Found> known_;
 };
 
 /// Makes one plan out of an outline.
@@ -104,7 +104,7 @@ class Draft {
 
  private:
   Plan squad_plan(const Outline& outline, const Squad& squad, OfferedPlan& offered) {
-    const std::vector<Site>& sites = survey_.of(squad.tasks, changes_);
+    const std::vector<Site>& sites = survey_.of(squad, changes_);
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < squad.tasks.size(); ++i) {
       const std::size_t task = squad.tasks[i];
