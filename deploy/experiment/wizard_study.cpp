@@ -35,9 +35,12 @@ NamedText office(std::uint64_t seed, bool approach) {
   return {to_text(random_office(seed, config)), "site " + std::to_string(seed)};
 }
 
-std::string planned(const NamedText& map, const StudyFlight& which, cbr::CaseShelf& cases) {
+std::string planned(const WizardStudy& study, const NamedText& map, const StudyFlight& which,
+                    cbr::CaseShelf& cases) {
   const cbr::Terrain terrain(read_overlay(map.text).map);
   PlanRequest request = study_request(terrain.plan(), which.robots);
+  request.max_velocity_mps = study.max_velocity_mps;
+  request.aggressiveness = study.aggressiveness;
   request.naive = which.planner == Planner::Naive;
   return cbr::answer(request, terrain, cases.index(), cases).proposals.at(0).offered.mission;
 }
@@ -50,7 +53,7 @@ OperationWish operation(const WizardStudy& study, const StudyFlight& which, cbr:
     wish.robots = static_cast<std::size_t>(which.robots);
   } else {
     wish.map = study_site(which.flight.seed);
-    wish.mission = {planned(wish.map, which, cases), "plan"};
+    wish.mission = {planned(study, wish.map, which, cases), "plan"};
   }
   if (which.robots > 1) wish.extras = study.sentry;
   return wish;
@@ -93,8 +96,6 @@ PlanRequest study_request(const MapPlan& site, int robots) {
   PlanRequest request;
   request.robots = robots;
   request.enemy = robots > 1;
-  request.max_velocity_mps = 0.7;
-  request.aggressiveness = 0.6;
   const MapPoint& shift = site.ground.shift_m;
   const auto add = [&](Task task, const MapPoint& at, std::optional<bool> enemy) {
     request.tasks.push_back({task, at.x_m - shift.x_m, at.y_m - shift.y_m, {}, {}, enemy});

@@ -33,6 +33,8 @@ struct WizardStudy {
   std::uint64_t first = 1;  ///< Seed of the first site; the next has the next.
   std::vector<int> robots{1, 2};
   std::vector<Planner> planners{Planner::Wizard, Planner::Naive, Planner::Expert};
+  double max_velocity_mps = 0.7;  ///< What is asked for, as in PlanRequest.
+  double aggressiveness = 0.6;
   NamedText expert_alone;  ///< The expert's mission for one robot,
   NamedText expert_team;   ///< and for several.
   NamedText sentry;        ///< Mission of the enemy of several.
@@ -45,7 +47,7 @@ struct WizardStudy {
 [[nodiscard]] NamedText study_building(std::uint64_t seed);
 
 /// What is asked for at a site: to go by the way points and the entry, then to search the building
-/// for a biohazard; several robots are to expect an enemy in it.
+/// for a biohazard; several robots are to expect an enemy in it. At the usual speed.
 [[nodiscard]] PlanRequest study_request(const MapPlan& site, int robots);
 
 /// One cell of a study's table of flights.

@@ -95,6 +95,8 @@ std::string json_of(const WizardStudy& study, const Report& report, std::size_t 
   const Json all{{"version", version()},
                  {"sites", study.sites},
                  {"first_site", study.first},
+                 {"max_velocity_mps", study.max_velocity_mps},
+                 {"aggressiveness", study.aggressiveness},
                  {"wanted", wanted(study)},
                  {"flown", flown},
                  {"cut_short", flown < wanted(study)},
@@ -169,6 +171,17 @@ void add_study_options(CLI::App& command, StudyWish& wish) {
       ->type_name("NAME,NAME")
       ->delimiter(',')
       ->check(CLI::IsMember({"wizard", "naive", "expert"}))
+      ->capture_default_str();
+  command
+      .add_option("--max-velocity", wish.study.max_velocity_mps, "Limit asked for, 0.1 to 1 m/s")
+      ->type_name("MPS")
+      ->check(CLI::Range(0.1, 1.0))
+      ->capture_default_str();
+  command
+      .add_option("--aggressiveness", wish.study.aggressiveness,
+                  "0.1 to 1: the share of the limit that robots are to go at")
+      ->type_name("A")
+      ->check(CLI::Range(0.1, 1.0))
       ->capture_default_str();
   command
       .add_option("--seeds", wish.seeds, "Folder of the wizard's cases (.cdl) [those that ship]")

@@ -4,12 +4,19 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "idl/cdl/check.h"
+#include "idl/overlay/office.h"
 #include "idl/overlay/reader.h"
 #include "idl/types/config_error.h"
 #include "tests/cbr/shelf.h"
+#include "wizard_service/cbr/automaton.h"
+#include "wizard_service/cbr/places.h"
+#include "wizard_service/cbr/plan_cdl.h"
+#include "wizard_service/cbr/sites.h"
 
 namespace tacit::cbr {
 namespace {
@@ -89,6 +96,61 @@ TEST(Wizard, FindsThePlacesOfACaseThatBringsSomethingOut) {
   const std::string& mission = answer.proposals[0].offered.mission;
   EXPECT_EQ(mission.find("{Begin}"), std::string::npos) << mission;
   EXPECT_EQ(mission.find("{Outside}"), std::string::npos) << mission;
+}
+
+/// A way point at the hallway's west end, then the building.
+PlanRequest search_by_way_of_a_point(int robots, bool enemy) {
+  PlanRequest wanted =
+      request({placed(Task::Waypoints, 6, 22), placed(Task::Biohazard, 20, 22)}, robots, enemy);
+  wanted.tasks.front().handles_enemy = false;
+  return wanted;
+}
+
+const PlanState* labelled(const RobotPlan& robot, std::string_view label) {
+  const auto found = std::find_if(robot.states.begin(), robot.states.end(),
+                                  [&](const PlanState& one) { return one.label == label; });
+  return found == robot.states.end() ? nullptr : &*found;
+}
+
+TEST(Wizard, LooksOutOnTheWayToWhereItsRobotsWarnEachOther) {
+  const Answer pair = asked(search_by_way_of_a_point(2, true));
+  ASSERT_EQ(pair.proposals[0].plan.robots.size(), 2U);
+  EXPECT_TRUE(tells(pair.proposals[0], "watch"));
+  for (const RobotPlan& robot : pair.proposals[0].plan.robots) {
+    for (const char* label : {"Way to 1, enemy found", "Way to 2, enemy found"}) {
+      const PlanState* state = labelled(robot, label);
+      ASSERT_NE(state, nullptr) << robot.name << ' ' << label;
+      EXPECT_EQ(*parameter(state->behaviour, "notify_message"), "\"Enemy found.\"");
+    }
+  }
+}
+
+TEST(Wizard, DoesNotLookOutWhereNobodyWarns) {
+  for (const auto& [robots, enemy] : {std::pair(1, true), std::pair(2, false)}) {
+    EXPECT_FALSE(tells(asked(search_by_way_of_a_point(robots, enemy)).proposals[0], "watch"));
+  }
+}
+
+TEST(Wizard, LetsWhoHasBeenWarnedBeginWithWhatItDoesAboutAnEnemy) {
+  const Answer pair = asked(search_by_way_of_a_point(2, true));
+  const RobotPlan& cover = pair.proposals[0].plan.robots[1];
+  const PlanState* warned = labelled(cover, "Way to 2, warned");
+  ASSERT_NE(warned, nullptr);
+  EXPECT_EQ(find_state(cover, warned->rules.back().target)->label, "EnemyFound");
+  const PlanState* first = labelled(cover, "BiohazardTask 2");
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(find_state(cover, first->rules.back().target)->label, "Follow");
+}
+
+TEST(Wizard, BeginsInABuildingWithTheWholeSquadInside) {
+  const Terrain terrain(random_office(1, {.approach = true}));
+  const PlanRequest wanted = request({placed(Task::Biohazard, 20, 8)}, 1, false);
+  Changes changes;
+  const auto begin = [&](int robots) {
+    return place_tasks(wanted, {robots, {0}}, terrain, changes).front().at;
+  };
+  EXPECT_NEAR(distance(begin(1), begin(2)), kSpacing, 0.2);
+  EXPECT_LT(distance(begin(1), begin(10)), 3.0);
 }
 
 TEST(Wizard, RefusesATaskOutsideTheMap) {
