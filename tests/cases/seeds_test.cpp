@@ -12,7 +12,6 @@
 #include "wizard_service/cases/case_text.h"
 #include "wizard_service/cases/seed.h"
 #include "wizard_service/cbr/features.h"
-#include "wizard_service/cbr/store.h"
 
 namespace tacit::cbr {
 namespace {
@@ -40,16 +39,6 @@ TEST(Seeds, SayWhatTheyAreForAsManyRobotsAsTheyHave) {
   for (const Case& one : shelf.all()) {
     EXPECT_FALSE(one.title.empty()) << one.origin;
     EXPECT_EQ(one.features.robots, static_cast<int>(one.plan.robots.size())) << one.origin;
-  }
-}
-
-TEST(Seeds, DifferInWhatTheyAreForOrInWhatTheyDo) {
-  std::map<std::string, std::string> known;
-  const Shelf shelf;
-  for (const Case& one : shelf.all()) {
-    const auto [other, is_new] =
-        known.emplace(to_text(one.features) + likeness(one.plan), one.origin);
-    EXPECT_TRUE(is_new) << one.origin << " is " << other->second;
   }
 }
 
