@@ -27,19 +27,32 @@ void Cover::add(const Event& event, const TeamWatch& team) {
   } else if (const auto* said = std::get_if<Signalled>(&event.what)) {
     const bool outside = team.where(kFirstRobot).site != Site::Room;
     asked_ = asked_ || (outside && said->robot == kFirstRobot && said->word.text() == kCoverMe);
+  } else if (const auto* tested = std::get_if<ObjectTested>(&event.what)) {
+    if (tested->robot == kFirstRobot && refuge_) survey(refuge_room_, {*refuge_, true, 0});
   } else if (std::holds_alternative<MissionOver>(event.what)) {
     here_ = 0;
   }
   uncovered_since_ = is_uncovered(team) ? std::optional(event.tick) : std::nullopt;
 }
 
+void Cover::survey(std::uint32_t room, const Survey& survey) {
+  refuge_.reset();
+  here_ = room;
+  surveys_.try_emplace(room, survey);
+}
+
 void Cover::move(const SiteEntered& entered, const Event& event, const TeamWatch& team) {
   here_ = 0;
+  refuge_.reset();
   if (entered.site != Site::Room) return;
   const bool asked = std::exchange(asked_, false);
-  if (team.alarm()) return;
-  here_ = entered.number;
-  surveys_.try_emplace(here_, Survey{{entered.robot, event.tick}, asked, 0});
+  const Deed entry{entered.robot, event.tick};
+  if (!team.alarm()) {
+    survey(entered.number, {entry, asked, 0});
+  } else if (asked) {
+    refuge_ = entry;
+    refuge_room_ = entered.number;
+  }
 }
 
 bool Cover::is_uncovered(const TeamWatch& team) const {

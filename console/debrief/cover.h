@@ -17,7 +17,9 @@ namespace tacit {
 /// Whether the first robot is covered while it surveys rooms.
 ///
 /// It surveys each room that it enters otherwise than in flight, that is between "Enemy found." and
-/// "Hallway clear."; again and again in the same room is one survey. Before the first time it is to
+/// "Hallway clear."; again and again in the same room is one survey. A room for which it asked, and
+/// on whose doorstep the warning came, is a refuge until it tests an object there: then it surveys
+/// it after all, hidden. Before the first time it is to
 /// say "Cover me." since it was last in a room. As long as it is there and nobody is in flight,
 /// another robot of the team is to be in a hallway or in another room; what is short of that may
 /// add up to 5 s, the time to take its post. [ours]
@@ -34,6 +36,8 @@ class Cover {
     Tick uncovered = 0;  ///< Ticks without cover.
   };
 
+  /// A survey begins.
+  void survey(std::uint32_t room, const Survey& survey);
   void move(const SiteEntered& entered, const Event& event, const TeamWatch& team);
   [[nodiscard]] bool is_uncovered(const TeamWatch& team) const;
   [[nodiscard]] std::string called(std::uint32_t room) const;
@@ -46,7 +50,9 @@ class Cover {
   std::vector<std::string> names_;           ///< Of the rooms.
   std::map<std::uint32_t, Survey> surveys_;  ///< By room.
   std::uint32_t here_ = 0;                   ///< The room that is being surveyed; 0 for none.
-  bool asked_ = false;                       ///< Since the first robot was last in a room.
+  std::optional<Deed> refuge_;               ///< Entered in flight after asking; it is there still.
+  std::uint32_t refuge_room_ = 0;
+  bool asked_ = false;  ///< Since the first robot was last in a room.
   std::optional<Tick> uncovered_since_;
 };
 

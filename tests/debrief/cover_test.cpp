@@ -60,6 +60,34 @@ TEST(Cover, NeedNotBeAskedForInFlight) {
   EXPECT_EQ(story.verdict(kAsk), "done");
 }
 
+/// The warning comes between the call for cover and the entry into the room.
+Story warned_on_the_doorstep() {
+  Story story(kHouse + kSuspects, kPair);
+  story.in_hallway(1).in_hallway(2).says(1, "Cover me.").says(2, "Enemy found.");
+  story.at(100).enters(1, kWest);
+  return story;
+}
+
+TEST(Cover, TakesARoomThatItAskedForAndWorksInForSurveyedThoughItWasWarned) {
+  Story story = warned_on_the_doorstep();
+  EXPECT_EQ(story.verdict(kAsk), "missing") << "so far it hides";
+  story.at(200).tests(1, 2);
+  EXPECT_EQ(story.verdict(kAsk), "done");
+  EXPECT_EQ(story.verdict(kCover), "done");
+}
+
+TEST(Cover, TakesARefugeThatItDidNotAskForForNoSurvey) {
+  Story story(kHouse + kSuspects, kPair);
+  story.in_hallway(1).in_hallway(2).says(2, "Enemy found.").enters(1, kWest).tests(1, 2);
+  EXPECT_EQ(story.verdict(kAsk), "missing");
+}
+
+TEST(Cover, IsNeededInARefugeThatIsSurveyedOnceTheHallwayIsClear) {
+  Story story = warned_on_the_doorstep();
+  story.tests(1, 2).at(200).enters(2, kWest).says(2, "Hallway clear.").at(251).in_hallway(1);
+  EXPECT_EQ(story.verdict(kCover), "missing");
+}
+
 TEST(Cover, ComesFromTheHallwayOrAnotherRoom) {
   Story story = pair_in_hallway();
   story.enters(1, kEast).at(500).in_hallway(1).at(501);
