@@ -100,6 +100,19 @@ bool on_side(const MapSegment& side, const MapPoint& p) {
   return around - length_m(side) <= kOnRim_m;
 }
 
+/// Whether it lies in the upright rectangle around the outline, or hardly outside.
+bool near_outline(const std::vector<MapPoint>& outline, const MapPoint& p) {
+  constexpr double kNear_m = 0.01;
+  MapPoint low = outline.front();
+  MapPoint high = low;
+  for (const MapPoint& corner : outline) {
+    low = {std::min(low.x_m, corner.x_m), std::min(low.y_m, corner.y_m)};
+    high = {std::max(high.x_m, corner.x_m), std::max(high.y_m, corner.y_m)};
+  }
+  return p.x_m >= low.x_m - kNear_m && p.x_m <= high.x_m + kNear_m && p.y_m >= low.y_m - kNear_m &&
+         p.y_m <= high.y_m + kNear_m;
+}
+
 }  // namespace
 
 MapPlan plan_of(const OverlayMap& map, Doors doors) {
@@ -111,6 +124,7 @@ MapPlan plan_of(const OverlayMap& map, Doors doors) {
 }
 
 bool holds_point(const std::vector<MapPoint>& outline, const MapPoint& p) {
+  if (outline.empty() || !near_outline(outline, p)) return false;
   bool inside = false;
   for (const MapSegment& side : sides(outline, Outline::Closed)) {
     if (on_side(side, p)) return true;

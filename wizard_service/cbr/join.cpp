@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "wizard_service/cbr/automaton.h"
 #include "wizard_service/cbr/chain.h"
@@ -41,21 +42,27 @@ std::string fresh_shared(const std::vector<cdl::Statement>& shared) {
   }
 }
 
+/// The robot without what it does.
+RobotPlan as_a_body(const RobotPlan& robot) {
+  return {robot.name,         robot.type,    {}, robot.max_mps, robot.base_mps,
+          robot.cautious_mps, robot.cautious};
+}
+
 /// Adds what is not there yet, and says how what is there is called now.
-Names add_shared(std::vector<cdl::Statement>& shared, const std::vector<cdl::Statement>& more) {
+Names add_shared(std::vector<cdl::Statement>& shared, std::vector<cdl::Statement> more) {
   Names names;
-  for (const cdl::Statement& one : more) {
-    cdl::Statement added = one;
+  for (cdl::Statement& added : more) {
+    const std::string before = added.name;
     rename(added.body, names);
     const auto same = std::find_if(shared.begin(), shared.end(), [&](const cdl::Statement& there) {
       return there.body == added.body && there.keyword == added.keyword;
     });
     if (same != shared.end()) {
-      names[one.name] = same->name;
+      names[before] = same->name;
       continue;
     }
     added.name = fresh_shared(shared);
-    names[one.name] = added.name;
+    names[before] = added.name;
     shared.push_back(std::move(added));
   }
   return names;
@@ -116,24 +123,23 @@ bool is_release_word(std::string_view word) {
          word.size() > kReleaseBegin.size() + kReleaseEnd.size();
 }
 
-Plan join(const std::vector<Piece>& pieces, const Terrain& terrain, bool alone, Changes& changes) {
+Plan join(std::vector<Piece> pieces, const Terrain& terrain, bool alone, Changes& changes) {
   Plan plan;
   const std::vector<std::string> warnings = warnings_on_the_way(pieces);
-  std::vector<std::vector<RobotPlan>> parts;
-  for (const Piece& piece : pieces) {
-    const Names names = add_shared(plan.shared, piece.plan.shared);
-    parts.push_back(piece.plan.robots);
-    for (RobotPlan& part : parts.back()) rename(part, names);
+  std::vector<std::string> releases;
+  for (Piece& piece : pieces) {
+    const Names names = add_shared(plan.shared, std::move(piece.plan.shared));
+    for (RobotPlan& part : piece.plan.robots) rename(part, names);
+    releases.push_back(release_of(piece, alone && releases.size() + 1 == pieces.size()));
   }
   for (std::size_t r = 0; r < pieces.front().plan.robots.size(); ++r) {
-    RobotPlan robot = pieces.front().plan.robots[r];
+    RobotPlan robot = as_a_body(pieces.front().plan.robots[r]);
     Chain chain(robot, terrain, r);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-      const bool may_end_mission = alone && p + 1 == pieces.size();
       chain.add_joint(pieces[p], warnings[p]);
-      chain.add_part(parts[p][r], release_of(pieces[p], may_end_mission));
+      chain.add_part(pieces[p].plan.robots[r], releases[p]);
     }
-    chain.close(alone && ends_for_all(parts.back()[r]));
+    chain.close(alone && ends_for_all(pieces.back().plan.robots[r]));
     plan.robots.push_back(std::move(robot));
   }
   tell_joints(pieces, changes);
@@ -141,9 +147,9 @@ Plan join(const std::vector<Piece>& pieces, const Terrain& terrain, bool alone, 
   return plan;
 }
 
-void add_robots(Plan& plan, const Plan& more) {
-  const Names names = add_shared(plan.shared, more.shared);
-  for (RobotPlan robot : more.robots) {
+void add_robots(Plan& plan, Plan more) {
+  const Names names = add_shared(plan.shared, std::move(more.shared));
+  for (RobotPlan& robot : more.robots) {
     rename(robot, names);
     const auto same =
         std::count_if(plan.robots.begin(), plan.robots.end(), [&](const RobotPlan& one) {

@@ -27,7 +27,7 @@ struct Piece {
 /// way to it, and on the way to the pieces before it, too. `alone` says that nobody else takes part
 /// in the mission: then the last piece may end the mission for all; otherwise it ends by a word as
 /// well.
-[[nodiscard]] Plan join(const std::vector<Piece>& pieces, const Terrain& terrain, bool alone,
+[[nodiscard]] Plan join(std::vector<Piece> pieces, const Terrain& terrain, bool alone,
                         Changes& changes);
 
 /// What the labels of states on the way to a sub-mission begin with.
@@ -38,6 +38,6 @@ inline constexpr std::string_view kWayLabel = "Way to ";
 [[nodiscard]] bool is_release_word(std::string_view word);
 
 /// Puts `more` robots and what they refer to beside those of `plan`, under names of their own.
-void add_robots(Plan& plan, const Plan& more);
+void add_robots(Plan& plan, Plan more);
 
 }  // namespace tacit::cbr

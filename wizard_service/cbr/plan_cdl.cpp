@@ -242,6 +242,15 @@ Item bare(Expression expression) {
   return item;
 }
 
+/// A list in braces would copy whole automata.
+template <class... Items>
+std::vector<Item> listed(Items&&... items) {
+  std::vector<Item> list;
+  list.reserve(sizeof...(items));
+  (list.push_back(std::forward<Items>(items)), ...);
+  return list;
+}
+
 /// Where the editor draws the states: five to a row.
 cdl::Place place_of(std::size_t index) {
   constexpr std::size_t kColumns = 5;
@@ -255,6 +264,9 @@ Expression automaton_of(const RobotPlan& robot) {
   automaton.name = "FSA";
   automaton.place = cdl::Place{12, 15};
   automaton.description = robot.name;
+  std::size_t rules = 0;
+  for (const PlanState& state : robot.states) rules += state.rules.size();
+  automaton.items.reserve(robot.states.size() + rules);
   for (std::size_t i = 0; i < robot.states.size(); ++i) {
     const PlanState& state = robot.states[i];
     Item item = connected("society", state.behaviour);
@@ -298,11 +310,12 @@ Expression instance(std::string type, std::vector<Item> items) {
 Statement wheels_of(const RobotPlan& robot, const std::string& name) {
   Item automaton = connected("v", automaton_of(robot));
   automaton.slot->place = cdl::Place{12, 15};
-  Expression drive = instance(
-      "DRIVE_W_SPIN", {std::move(automaton), connected("max_vel", value(shortest(robot.max_mps))),
-                       connected("base_vel", value(shortest(robot.base_mps))),
-                       connected("cautious_vel", value(shortest(robot.cautious_mps))),
-                       connected("cautious_mode", value(robot.cautious ? "true" : "false"))});
+  Expression drive =
+      instance("DRIVE_W_SPIN",
+               listed(std::move(automaton), connected("max_vel", value(shortest(robot.max_mps))),
+                      connected("base_vel", value(shortest(robot.base_mps))),
+                      connected("cautious_vel", value(shortest(robot.cautious_mps))),
+                      connected("cautious_mode", value(robot.cautious ? "true" : "false"))));
   drive.labels = {"base"};
   drive.place = cdl::Place{200, 20};
   drive.description = "wheels";
@@ -310,7 +323,8 @@ Statement wheels_of(const RobotPlan& robot, const std::string& name) {
   unconnected.slot->place = cdl::Place{0, 0};
   Statement wheels = instantiation(
       name, {200, 20},
-      instance("movement", {std::move(unconnected), connected("bound_to", std::move(drive))}));
+      instance("movement",
+               listed(std::move(unconnected), connected("bound_to", std::move(drive)))));
   wheels.description = "wheels";
   return wheels;
 }
@@ -320,11 +334,12 @@ Statement vehicle_of(const RobotPlan& robot, const std::string& name, const std:
   devices.kind = Kind::Group;
   devices.labels = {robot.name};
   devices.items.push_back(bare(reference(wheels)));
-  Expression body = instance(robot.type, {bare(std::move(devices))});
+  Expression body = instance(robot.type, listed(bare(std::move(devices))));
   body.labels = {robot.name};
   body.place = cdl::Place{0, 0};
   body.description = robot.name;
-  return instantiation(name, {0, 0}, instance("vehicle", {connected("bound_to", std::move(body))}));
+  return instantiation(name, {0, 0},
+                       instance("vehicle", listed(connected("bound_to", std::move(body)))));
 }
 
 Expression group(std::vector<Item> items) {
@@ -437,6 +452,7 @@ void set_parameter(Expression& expression, std::string_view name, std::string_vi
 
 Expression behaviour(std::string_view name, std::vector<Given> parameters) {
   std::vector<Item> items;
+  items.reserve(parameters.size() + 1);
   for (Given& given : parameters) {
     Item item = connected(std::string(given.name), value(std::move(given.value)));
     item.slot->is_parameter = true;

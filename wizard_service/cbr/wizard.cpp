@@ -113,7 +113,7 @@ class Draft {
       pieces.push_back({label(task), std::to_string(task + 1),
                         adapt(from, fit(task, squad, sites[i]), changes_), sites[i]});
     }
-    return join(pieces, terrain_, outline.squads.size() == 1, changes_);
+    return join(std::move(pieces), terrain_, outline.squads.size() == 1, changes_);
   }
 
   [[nodiscard]] std::string label(std::size_t task) const {
