@@ -12,7 +12,8 @@ namespace tacit::cdl {
 [[nodiscard]] std::string print(const Mission& mission);
 
 /// A mission that `source` was parsed to and that may have been edited since. What was not edited
-/// keeps its text, byte for byte; what was edited or added is in the house layout.
+/// keeps its text, byte for byte; what was edited or added is in the house layout. All of it is
+/// when comments stand so that this cannot be: `parse` gives the same mission back, in either case.
 [[nodiscard]] std::string print(const Mission& mission, std::string_view source);
 
 }  // namespace tacit::cdl

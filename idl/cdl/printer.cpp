@@ -46,7 +46,10 @@ std::string to_text(double number) {
 std::string print(const Mission& mission) { return Printer("").print(mission, {}); }
 
 std::string print(const Mission& mission, std::string_view source) {
-  return Printer(source).print(mission, parse(source).mission);
+  std::string kept = Printer(source).print(mission, parse(source).mission);
+  // A comment may stand where it belongs to what comes later: between `from` and what is made, or
+  // behind the `=` of a slot. When only one side of it was edited, it would be told twice or not.
+  return parse(kept).mission == mission ? kept : print(mission);
 }
 
 std::string Printer::print(const Mission& mission, const Mission& origin) {

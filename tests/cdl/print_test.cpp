@@ -140,6 +140,15 @@ TEST(Print, ChangesOnlyTheTextAroundAnAddedItem) {
             "// a\ninstBP  a   from b( x={1} ,  /*two*/ y = {2},\n  z = {1})  ;\n\n [a ]");
 }
 
+TEST(Print, TellsACommentOnceThatStandsBeforeWhatWasEdited) {
+  const std::string source = "instGroup $A from // why\n [$B, $C];\n[$A]\n";
+  Mission mission = parse(source).mission;
+  ASSERT_EQ(mission.statements[0].body.items[0].comments, Comments{"// why"});
+  mission.statements[0].body.items.pop_back();
+  mission.statements[0].body.place = Place{1.0, 2.0};
+  EXPECT_EQ(parse(print(mission, source)).mission, mission) << print(mission, source);
+}
+
 TEST(Print, TakesAStatementOutAndKeepsTheOthers) {
   EXPECT_EQ(edited("bindArch A;\ninstBP  a from b( );\ninstBP  c from d( );\n",
                    [](Mission& m) { m.statements.erase(m.statements.begin() + 1); }),
