@@ -21,7 +21,8 @@ struct Participant::Entities {
   eprosima::fastdds::dds::Subscriber* subscriber = nullptr;
   std::string where;  ///< "domain 3", for messages.
 
-  /// The topic of that name, made at first use. Throws BusError.
+  /// The topic of that name, made at first use. Throws BusError, also when
+  /// the type's name stands for another C++ type already.
   eprosima::fastdds::dds::Topic* topic(const std::string& name,
                                        eprosima::fastdds::dds::TypeSupport& type);
 };

@@ -12,6 +12,8 @@
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
+#include <typeinfo>
+
 #include "idl/bus/entities.h"
 #include "idl/bus/qos.h"
 
@@ -28,6 +30,16 @@ void send_log_to_standard_error() {
   consumer->stderr_threshold(dds::Log::Kind::Info);
   dds::Log::ClearConsumers();
   dds::Log::RegisterConsumer(std::move(consumer));
+}
+
+/// Fast DDS keeps the first of several supports of one name, and hands its samples to all.
+void require_same_kind(const dds::DomainParticipant& participant, dds::TypeSupport& type) {
+  const dds::TypeSupport known = participant.find_type(type.get_type_name());
+  const dds::TopicDataType& held = *known;
+  const dds::TopicDataType& wanted = *type;
+  if (typeid(held) != typeid(wanted)) {
+    throw BusError(type.get_type_name() + " is read as bytes and as words by one participant");
+  }
 }
 
 }  // namespace
@@ -60,11 +72,13 @@ Participant::~Participant() {
 
 dds::Topic* Participant::Entities::topic(const std::string& name, dds::TypeSupport& type) {
   if (auto* known = dynamic_cast<dds::Topic*>(participant->lookup_topicdescription(name))) {
+    require_same_kind(*participant, type);
     return known;
   }
   type->auto_fill_type_object(false);
   type->auto_fill_type_information(false);
   type.register_type(participant);
+  require_same_kind(*participant, type);
   dds::Topic* made = participant->create_topic(name, type.get_type_name(), dds::TOPIC_QOS_DEFAULT);
   if (made == nullptr) throw BusError("topic " + name + " could not be made on " + where);
   return made;
