@@ -18,6 +18,7 @@ tacit_require(pegtl CONFIG)
 tacit_require(SQLiteCpp CONFIG)
 tacit_require(CLI11 CONFIG)
 tacit_require(OpenSSL)
+tacit_require(zstd CONFIG)
 tacit_require(Boost 1.81)
 
 # Bullet's own CMake file holds relative include paths, so pkg-config it is. Double precision: the

@@ -95,6 +95,8 @@ TEST(Middleware, IsFoundOutsideItsPlace) {
   EXPECT_EQ(misplaced_middleware({{"deploy/tacit/main.cpp", "#include <toml++/toml.h>"}}).size(),
             1U);
   EXPECT_EQ(misplaced_middleware({{"idl/scenario/x.cpp", "#include <tao/pegtl.hpp>"}}).size(), 1U);
+  EXPECT_EQ(misplaced_middleware({{"console/app/main.cpp", "#include <zstd.h>"}}).size(), 1U);
+  EXPECT_EQ(misplaced_middleware({{"console/record/x.h", "#include <boost/crc.hpp>"}}).size(), 1U);
 }
 
 TEST(Middleware, IsLeftAloneInItsPlace) {

@@ -81,6 +81,7 @@ const std::vector<Place>& places() {
        std::regex(R"(console/record/.*|wizard_service/cases/case_(file|row|base)\.\w+|)"
                   R"(idl/scenario/digest\.cpp|tests/.*)"),
        "storage"},
+      {std::regex(R"(<zstd\.h>|<boost/crc\.hpp>)"), std::regex(R"(console/mcap/.*)"), "MCAP"},
       {std::regex(R"(<nlohmann/.*)"),
        std::regex(R"(robot_agent/brain/learning/policy_text\.cpp|console/record/.*|)"
                   R"(deploy/tacit/.*|tests/.*)"),
@@ -108,6 +109,7 @@ const LinkGraph& table() {
       {"world_map", {"scenario", "overlay", "world"}},
       {"metrics", {"types"}},
       {"debrief", {"types", "overlay"}},
+      {"mcap", {"Boost::headers", "zstd::libzstd_shared"}},
       {"record",
        {"types", "metrics", "OpenSSL::Crypto", "SQLiteCpp", "nlohmann_json::nlohmann_json"}},
       {"report", {"types", "metrics", "Boost::headers", "nlohmann_json::nlohmann_json"}},
