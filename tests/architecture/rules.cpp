@@ -84,8 +84,10 @@ const std::vector<Place>& places() {
       {std::regex(R"(<zstd\.h>|<boost/crc\.hpp>)"), std::regex(R"(console/mcap/.*)"), "MCAP"},
       {std::regex(R"(<nlohmann/.*)"),
        std::regex(R"(robot_agent/brain/learning/policy_text\.cpp|console/record/.*|)"
-                  R"(deploy/tacit/.*|tests/.*)"),
+                  R"(console/gateway/.*|deploy/tacit/.*|tests/.*)"),
        "JSON"},
+      {std::regex(R"(<boost/(asio|beast|system)\W.*)"),
+       std::regex(R"(console/gateway/.*|tests/.*)"), "Boost.Beast"},
   };
   return kPlaces;
 }
@@ -113,6 +115,7 @@ const LinkGraph& table() {
       {"record",
        {"types", "metrics", "OpenSSL::Crypto", "SQLiteCpp", "nlohmann_json::nlohmann_json"}},
       {"report", {"types", "metrics", "Boost::headers", "nlohmann_json::nlohmann_json"}},
+      {"gateway", {"Threads::Threads", "Boost::headers", "nlohmann_json::nlohmann_json"}},
       {"cbr", {"types", "cdl", "overlay"}},
       {"cases", {"types", "cbr", "SQLiteCpp"}},
       {"wizard", {"types", "topics", "bus", "overlay", "cbr", "cases", "spdlog::spdlog"}},
