@@ -6,6 +6,7 @@
 #include "console/record/run_directory.h"
 #include "deploy/tacit/child.h"
 #include "deploy/tacit/run_plan.h"
+#include "idl/bus/venue_file.h"
 
 namespace tacit {
 
@@ -14,12 +15,6 @@ struct Cast {
   Program world;
   Program console;
   std::vector<Program> agents;  ///< In order of id.
-};
-
-/// Where on the bus a run takes place.
-struct Venue {
-  int domain = 1;
-  std::uint32_t run_nonce = 0;
 };
 
 /// The programs of `plan`, which take their scenario from `directory` and log there.

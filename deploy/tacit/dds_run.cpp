@@ -3,9 +3,9 @@
 #include <random>
 
 #include "deploy/tacit/cast.h"
-#include "deploy/tacit/venue_file.h"
 #include "idl/bus/domain_lease.h"
 #include "idl/bus/leftovers.h"
+#include "idl/bus/venue_file.h"
 
 namespace tacit {
 namespace {

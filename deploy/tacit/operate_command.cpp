@@ -8,9 +8,9 @@
 
 #include "deploy/tacit/commands.h"
 #include "deploy/tacit/say.h"
-#include "deploy/tacit/venue_file.h"
 #include "idl/bus/participant.h"
 #include "idl/bus/publisher.h"
+#include "idl/bus/venue_file.h"
 #include "idl/types/config_error.h"
 
 namespace tacit {

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
-#include "deploy/tacit/cast.h"
-
 namespace tacit {
+
+/// Where on the bus a run takes place.
+struct Venue {
+  int domain = 1;
+  std::uint32_t run_nonce = 0;
+  friend bool operator==(const Venue&, const Venue&) = default;
+};
 
 /// Says in a run's directory, while the run is on, where on the bus it takes place, so that others
 /// can find it: the file `live`, with domain and nonce.

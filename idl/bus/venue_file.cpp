@@ -1,4 +1,4 @@
-#include "deploy/tacit/venue_file.h"
+#include "idl/bus/venue_file.h"
 
 #include <fstream>
 
