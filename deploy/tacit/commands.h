@@ -18,6 +18,7 @@ void add_policy(CLI::App& app, Exit& ending);
 void add_mission(CLI::App& app, Exit& ending);
 void add_cases(CLI::App& app, Exit& ending);
 void add_map(CLI::App& app, Exit& ending);
+void add_scene(CLI::App& app, Exit& ending);
 void add_operate(CLI::App& app, Exit& ending);
 void add_preview(CLI::App& app, Exit& ending);
 void add_verify(CLI::App& app, Exit& ending);

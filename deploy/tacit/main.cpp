@@ -42,6 +42,7 @@ Exit command_line(int argc, char** argv) {
   add_wizard(app, ending);
   add_scenarios(app, ending);
   add_preview(app, ending);
+  add_scene(app, ending);
   add_operate(app, ending);
   add_verify(app, ending);
   add_debrief(app, ending);

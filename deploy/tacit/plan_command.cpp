@@ -17,6 +17,7 @@
 #include "idl/types/config_error.h"
 #include "wizard_service/cbr/features.h"
 #include "wizard_service/cbr/request.h"
+#include "wizard_service/client/plan_json.h"
 
 namespace tacit {
 namespace {
@@ -83,20 +84,6 @@ Wanted expect(WizardClient::Reply reply) {
   throw std::runtime_error("the wizard answered something else than it was asked");
 }
 
-/// What the sub-missions of a plan for `request` are found by.
-std::vector<CaseFeatures> features_of(const PlanRequest& request) {
-  std::vector<CaseFeatures> all;
-  for (const PlacedTask& task : request.tasks) {
-    CaseFeatures features = cbr::usual_features(task.task);
-    const cbr::Query query = cbr::query_for(request, task);
-    features.localization = query.localization.value_or(features.localization);
-    features.environment = query.environment.value_or(features.environment);
-    features.handles_enemy = query.handles_enemy.value_or(features.handles_enemy);
-    all.push_back(features);
-  }
-  return all;
-}
-
 std::string title_of(const PlanRequest& request, const std::string& map) {
   std::string text;
   for (const PlacedTask& task : request.tasks) {
@@ -139,7 +126,7 @@ class Session {
   void tell(const PlanAnswer& answer) const {
     if (wish_.json) {
       // What a run prints stands alone on standard output.
-      if (!wish_.run) std::cout << answer_json(answer) << std::endl;
+      if (!wish_.run) std::cout << to_json(answer) << std::endl;
       return;
     }
     std::cout << answer_text(request_, answer, wish_.explain) << std::endl;
@@ -194,7 +181,8 @@ class Session {
 
   void store(const OfferedPlan& plan) {
     const std::string title = wish_.title.empty() ? title_of(request_, map_name_) : wish_.title;
-    say(expect<WizardDone>(wizard_.ask(StoreMission{plan.mission, title, features_of(request_)}))
+    say(expect<WizardDone>(
+            wizard_.ask(StoreMission{plan.mission, title, cbr::features_for(request_)}))
             .text);
   }
 

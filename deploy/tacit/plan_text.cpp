@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "wizard_service/cbr/features.h"
 
@@ -108,42 +107,6 @@ std::string plan_text(const PlanRequest& request, const OfferedPlan& plan, std::
   return text + '\n';
 }
 
-nlohmann::json to_json(const UsedCase& used) {
-  nlohmann::json features = nlohmann::json::array();
-  for (const FeatureMatch& match : used.features) {
-    features.push_back({{"feature", match.feature},
-                        {"wanted", match.wanted},
-                        {"found", match.found},
-                        {"matches", match.matches}});
-  }
-  return {{"id", used.id},
-          {"title", used.title},
-          {"task", used.task},
-          {"record", used.record},
-          {"features", std::move(features)}};
-}
-
-nlohmann::json to_json(const PlanChange& change) {
-  return {{"step", change.step == PlanChange::Step::Adapt ? "adapt" : "criticize"},
-          {"rule", change.rule},
-          {"why", change.why},
-          {"before", change.before},
-          {"after", change.after},
-          {"mended", change.mended}};
-}
-
-nlohmann::json to_json(const OfferedPlan& plan) {
-  nlohmann::json cases = nlohmann::json::array();
-  nlohmann::json changes = nlohmann::json::array();
-  for (const UsedCase& used : plan.cases) cases.push_back(to_json(used));
-  for (const PlanChange& change : plan.changes) changes.push_back(to_json(change));
-  return {{"stars", plan.stars},
-          {"arrangement", plan.arrangement},
-          {"cases", std::move(cases)},
-          {"changes", std::move(changes)},
-          {"mission", plan.mission}};
-}
-
 }  // namespace
 
 std::string stars_text(double stars) {
@@ -161,13 +124,6 @@ std::string answer_text(const PlanRequest& request, const PlanAnswer& answer, bo
   for (const std::string& note : answer.notes) text += '\n' + note + '\n';
   text.pop_back();
   return text;
-}
-
-std::string answer_json(const PlanAnswer& answer) {
-  nlohmann::json plans = nlohmann::json::array();
-  for (const OfferedPlan& plan : answer.plans) plans.push_back(to_json(plan));
-  const nlohmann::json all{{"plans", std::move(plans)}, {"notes", answer.notes}};
-  return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace tacit

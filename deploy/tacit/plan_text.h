@@ -15,7 +15,4 @@ namespace tacit {
 [[nodiscard]] std::string answer_text(const PlanRequest& request, const PlanAnswer& answer,
                                       bool explain);
 
-/// One object with `plans` and `notes`. Without the newline.
-[[nodiscard]] std::string answer_json(const PlanAnswer& answer);
-
 }  // namespace tacit

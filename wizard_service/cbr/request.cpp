@@ -68,4 +68,18 @@ Query query_for(const PlanRequest& request, const PlacedTask& task) {
   return query;
 }
 
+std::vector<CaseFeatures> features_for(const PlanRequest& request) {
+  std::vector<CaseFeatures> all;
+  for (const PlacedTask& task : request.tasks) {
+    CaseFeatures features = usual_features(task.task);
+    const Query query = query_for(request, task);
+    features.robots = request.robots.value_or(features.robots);
+    features.localization = query.localization.value_or(features.localization);
+    features.environment = query.environment.value_or(features.environment);
+    features.handles_enemy = query.handles_enemy.value_or(features.handles_enemy);
+    all.push_back(features);
+  }
+  return all;
+}
+
 }  // namespace tacit::cbr

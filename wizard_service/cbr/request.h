@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "idl/types/plan_request.h"
 #include "wizard_service/cbr/features.h"
 
@@ -11,5 +13,8 @@ void refuse_mistakes(const PlanRequest& request);
 
 /// What cases for a task of `request` are looked for by.
 [[nodiscard]] Query query_for(const PlanRequest& request, const PlacedTask& task);
+
+/// What the sub-missions of a plan for `request` are found by, task by task.
+[[nodiscard]] std::vector<CaseFeatures> features_for(const PlanRequest& request);
 
 }  // namespace tacit::cbr
