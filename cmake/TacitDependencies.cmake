@@ -20,6 +20,7 @@ tacit_require(CLI11 CONFIG)
 tacit_require(OpenSSL)
 tacit_require(zstd CONFIG)
 tacit_require(Boost 1.81)
+tacit_require(prometheus-cpp CONFIG)
 
 # Bullet's own CMake file holds relative include paths, so pkg-config it is. Double precision: the
 # state of a run is made of doubles, and no number is rounded on its way into or out of the solver.

@@ -7,7 +7,7 @@ compilers="build-essential ccache cmake ninja-build pkg-config"
 generators="default-jre-headless fastddsgen"
 libraries="libboost1.81-dev libbullet-dev libcli11-dev libeigen3-dev libfastcdr-dev libfastrtps-dev
   libfmt-dev libspdlog-dev libsqlite3-dev libsqlitecpp-dev libssl-dev libtomlplusplus-dev
-  libzstd-dev nlohmann-json3-dev tao-pegtl-dev"
+  libzstd-dev nlohmann-json3-dev prometheus-cpp-dev tao-pegtl-dev"
 # clang is for the fuzzers alone.
 tests="clang-14 libbenchmark-dev libclang-rt-14-dev libgmock-dev libgtest-dev"
 packages="$compilers $generators $libraries $tests"

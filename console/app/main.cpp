@@ -4,11 +4,13 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <string_view>
 
 #include "console/app/exit_code.h"
 #include "console/app/options.h"
 #include "console/app/recording.h"
 #include "console/app/scenario_facts.h"
+#include "console/app/serve.h"
 #include "console/app/stop_signals.h"
 #include "console/record/files.h"
 #include "console/record/record_error.h"
@@ -136,6 +138,7 @@ ExitCode guarded_run(const Options& options) {
 }  // namespace tacit
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "serve") return tacit::serve(argc - 1, argv + 1);
   const auto options = tacit::read_options(argc, argv);
   if (const int* code = std::get_if<int>(&options)) {
     return *code;

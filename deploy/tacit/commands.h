@@ -12,6 +12,7 @@ void add_run(CLI::App& app, Exit& ending);
 void add_learn(CLI::App& app, Exit& ending);
 void add_experiment(CLI::App& app, Exit& ending);
 void add_scenarios(CLI::App& app, Exit& ending);
+void add_console(CLI::App& app, Exit& ending);
 void add_plan(CLI::App& app, Exit& ending);
 void add_wizard(CLI::App& app, Exit& ending);
 void add_policy(CLI::App& app, Exit& ending);

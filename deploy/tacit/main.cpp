@@ -38,6 +38,7 @@ Exit command_line(int argc, char** argv) {
   add_run(app, ending);
   add_learn(app, ending);
   add_experiment(app, ending);
+  add_console(app, ending);
   add_plan(app, ending);
   add_wizard(app, ending);
   add_scenarios(app, ending);
