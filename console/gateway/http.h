@@ -33,7 +33,7 @@ struct Request {
 struct Response {
   int status = 200;
   std::string content_type = "application/json";
-  std::string body;
+  std::string body = {};
   /// When not empty, the body is what this file holds, and `body` is ignored. It is read piece by
   /// piece while it is sent; 404 when it cannot be opened.
   std::filesystem::path file = {};

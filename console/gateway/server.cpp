@@ -148,6 +148,9 @@ class Server::Core : public std::enable_shared_from_this<Server::Core> {
     for (const auto& connection : std::set(hub->connections)) {
       connection->shut();
     }
+    if (hub->connections.empty()) {
+      hub->io.stop();
+    }
   }
 
   tcp::acceptor acceptor_;

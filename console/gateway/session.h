@@ -28,20 +28,21 @@ enum class Keep {
 };
 
 struct Channel {
-  std::string topic;
-  std::string encoding;  ///< Of messages, such as "cdr" or "json".
-  std::string schema_name;
-  std::string schema;           ///< Text.
-  std::string schema_encoding;  ///< Such as "ros2msg" or "jsonschema"; "" leaves it to the client.
+  std::string topic = {};
+  std::string encoding = {};  ///< Of messages, such as "cdr" or "json".
+  std::string schema_name = {};
+  std::string schema = {};  ///< Text.
+  std::string schema_encoding =
+      {};  ///< Such as "ros2msg" or "jsonschema"; "" leaves it to the client.
   Keep keep = Keep::All;
 };
 
 /// A service that takes and gives JSON.
 struct Service {
-  std::string name;
-  std::string type;             ///< A name for the pair of schemas.
-  std::string request_schema;   ///< JSON Schema as text; an object.
-  std::string response_schema;  ///< The same.
+  std::string name = {};
+  std::string type = {};             ///< A name for the pair of schemas.
+  std::string request_schema = {};   ///< JSON Schema as text; an object.
+  std::string response_schema = {};  ///< The same.
 };
 
 /// Answers one call, from any thread, once; further answers are ignored. When the last copy goes
@@ -63,8 +64,8 @@ class ServiceReply {
 using ServiceHandler = std::function<void(std::string_view request, ServiceReply reply)>;
 
 struct Parameter {
-  std::string name;
-  std::string value;      ///< JSON text.
+  std::string name = {};
+  std::string value = {};  ///< JSON text.
   std::string type = {};  ///< "", or "float64", "float64_array" or "byte_array" as in the protocol.
 };
 
@@ -77,9 +78,9 @@ enum class StatusLevel { Info = 0, Warning = 1, Error = 2 };
 /// Who sends and takes which topic, and who offers which service: names to ids of the parties.
 struct ConnectionGraph {
   using Ends = std::map<std::string, std::set<std::string>>;
-  Ends publishers;
-  Ends subscribers;
-  Ends providers;
+  Ends publishers = {};
+  Ends subscribers = {};
+  Ends providers = {};
 };
 
 /// What clients of one socket see: a run, say. Comes from Server::open_session.

@@ -106,7 +106,11 @@ std::string host_without_port(std::string_view host) {
   const std::size_t bracket = host.find(']');
   const std::size_t end =
       bracket != std::string_view::npos ? bracket + 1 : std::min(host.find(':'), host.size());
-  std::string name(host.substr(0, end));
+  const std::string_view port = host.substr(end);
+  const bool is_port =
+      port.empty() ||
+      (port.front() == ':' && port.find_first_not_of("0123456789", 1) == std::string_view::npos);
+  std::string name(is_port ? host.substr(0, end) : host);
   std::transform(name.begin(), name.end(), name.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });

@@ -23,7 +23,8 @@ struct Target {
 /// Absent unless `target` begins with a slash and decodes. A `+` in the query is a space.
 [[nodiscard]] std::optional<Target> parse_target(std::string_view target);
 
-/// "[::1]:80" gives "[::1]", "Example:80" gives "example".
+/// "[::1]:80" gives "[::1]", "Example:80" gives "example"; what is no host with a port stays as it
+/// is.
 [[nodiscard]] std::string host_without_port(std::string_view host);
 
 }  // namespace tacit::gateway

@@ -20,6 +20,9 @@ using beast::error_code;
 
 namespace {
 
+/// What waits for a slow client waits with us, where it can be dropped, and not in the kernel.
+constexpr int kSendBufferBytes = 1 << 18;
+
 class WebSocketConnection final : public Connection,
                                   public std::enable_shared_from_this<WebSocketConnection> {
  public:
@@ -56,8 +59,10 @@ class WebSocketConnection final : public Connection,
     const Limits& limits = hub_.config.limits;
     // The WebSocket keeps its own time from here on.
     beast::get_lowest_layer(socket_).expires_never();
+    auto& tcp = beast::get_lowest_layer(socket_).socket();
     error_code ignored;
-    beast::get_lowest_layer(socket_).socket().set_option(asio::ip::tcp::no_delay(true), ignored);
+    tcp.set_option(asio::ip::tcp::no_delay(true), ignored);
+    tcp.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
     websocket::stream_base::timeout timeout{};
     timeout.handshake_timeout = seconds(limits.header_s);
     timeout.idle_timeout = seconds(limits.silence_s);

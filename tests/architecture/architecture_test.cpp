@@ -97,6 +97,9 @@ TEST(Middleware, IsFoundOutsideItsPlace) {
   EXPECT_EQ(misplaced_middleware({{"idl/scenario/x.cpp", "#include <tao/pegtl.hpp>"}}).size(), 1U);
   EXPECT_EQ(misplaced_middleware({{"console/app/main.cpp", "#include <zstd.h>"}}).size(), 1U);
   EXPECT_EQ(misplaced_middleware({{"console/record/x.h", "#include <boost/crc.hpp>"}}).size(), 1U);
+  EXPECT_EQ(misplaced_middleware({{"console/app/x.cpp", "#include <boost/asio/post.hpp>"}}).size(),
+            1U);
+  EXPECT_EQ(misplaced_middleware({{"console/app/x.cpp", "#include <boost/beast.hpp>"}}).size(), 1U);
 }
 
 TEST(Middleware, IsLeftAloneInItsPlace) {
