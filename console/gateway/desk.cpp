@@ -21,14 +21,6 @@ bool takes(const Accepts& accepts, const Request& request) {
          std::find(accepts.types.begin(), accepts.types.end(), type) != accepts.types.end();
 }
 
-Response not_allowed(std::vector<std::string> allowed) {
-  std::sort(allowed.begin(), allowed.end());
-  allowed.erase(std::unique(allowed.begin(), allowed.end()), allowed.end());
-  Response response = error(405, "the method is not for this address", joined(allowed));
-  response.headers.emplace_back("Allow", joined(allowed));
-  return response;
-}
-
 std::optional<Response> handled(const AnyHandler& handler, const Request& request,
                                 const std::function<Responder()>& later) {
   try {
@@ -82,7 +74,7 @@ std::optional<Response> Desk::answer(const Request& request, std::string_view ra
     return handled(found.route->handler, routed, later);
   }
   if (!found.allowed.empty()) {
-    return not_allowed(std::move(found.allowed));
+    return not_allowed(found.allowed);
   }
   return from_files(request, *target, raw_target);
 }
@@ -111,6 +103,12 @@ Response Desk::from_files(const Request& request, const Target& target,
     return response;
   }
   return files_.answer(request, target.parts);
+}
+
+Response not_allowed(const std::vector<std::string>& allowed) {
+  Response response = error(405, "the method is not for this address", joined(allowed));
+  response.headers.emplace_back("Allow", joined(allowed));
+  return response;
 }
 
 }  // namespace tacit::gateway

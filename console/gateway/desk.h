@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "console/gateway/guard.h"
 #include "console/gateway/http.h"
@@ -36,5 +38,8 @@ class Desk {
   StaticFiles files_;
   Router router_;
 };
+
+/// 405 with the methods that are right.
+[[nodiscard]] Response not_allowed(const std::vector<std::string>& allowed);
 
 }  // namespace tacit::gateway

@@ -1,9 +1,7 @@
 #include "console/gateway/http_connection.h"
 
 #include <array>
-#include <boost/asio/dispatch.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/beast/core/buffers_generator.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
@@ -27,14 +25,6 @@ constexpr double kLinger_s = 1.0;
 constexpr std::size_t kLingerBytes = 1U << 24U;
 /// Of files that clients fetch slowly.
 constexpr double kSlowest_bytes_per_s = 65536.0;
-
-std::string lower(std::string_view text) {
-  std::string small(text);
-  for (char& c : small) {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return small;
-}
 
 std::optional<Method> method_of(http::verb verb) {
   switch (verb) {
@@ -65,8 +55,7 @@ Response malformed(error_code ec) {
 class HttpConnection final : public Connection,
                              public std::enable_shared_from_this<HttpConnection> {
  public:
-  HttpConnection(const std::shared_ptr<Hub>& hub, asio::ip::tcp::socket socket,
-                 std::optional<Ticket> ticket)
+  HttpConnection(const std::shared_ptr<Hub>& hub, asio::ip::tcp::socket socket, Ticket ticket)
       : weak_hub_(hub), hub_(*hub), stream_(std::move(socket)), ticket_(std::move(ticket)) {}
 
   void begin() {
@@ -149,9 +138,7 @@ class HttpConnection final : public Connection,
       return false;
     }
     if (!method) {
-      Response response = error(405, "the method is not known", "GET, HEAD, POST, PUT or DELETE");
-      response.headers.emplace_back("Allow", "GET, HEAD, POST, PUT, DELETE");
-      refuse(std::move(response));
+      refuse(not_allowed({"GET", "HEAD", "POST", "PUT", "DELETE"}));
       return false;
     }
     request_ = {};
@@ -159,7 +146,7 @@ class HttpConnection final : public Connection,
     request_.path = target->path();
     request_.query = target->query;
     for (const auto& field : message) {
-      request_.headers.emplace_back(lower(field.name_string()), field.value());
+      request_.headers.emplace_back(lower_case(field.name_string()), field.value());
     }
     return true;
   }
@@ -196,17 +183,14 @@ class HttpConnection final : public Connection,
       return refuse(error(400, "none of the offered sub-protocols is spoken here",
                           "foxglove.sdk.v1 or foxglove.websocket.v1"));
     }
-    const auto parts = parse_target(raw_target_)->parts;
-    const bool named = parts.size() == 2 && parts[0] == "ws" && !parts[1].empty();
-    const bool newest = parts.size() == 1 && (parts[0] == "ws" || parts[0].empty());
-    auto session = named ? hub_.sessions.find(parts[1]) : newest ? hub_.sessions.newest() : nullptr;
+    auto session = hub_.sessions.at(parse_target(raw_target_)->parts);
     if (!session) {
       return refuse(error(404, "there is no session at " + request_.path, "/ws/ID, or /ws"));
     }
     count(101);
     hub_.connections.erase(shared_from_this());
     serve_websocket(weak_hub_.lock(), {std::move(stream_), parser_->release(), *protocol,
-                                       std::move(session), std::move(*ticket_)});
+                                       std::move(session), std::move(ticket_)});
   }
 
   /// Answers and closes: what the client goes on to send is not looked at.
@@ -322,7 +306,7 @@ class HttpConnection final : public Connection,
   Hub& hub_;
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_;
-  std::optional<Ticket> ticket_;  ///< None: one too many.
+  Ticket ticket_;  ///< Empty: one too many.
   std::optional<Parser> parser_;
   std::string raw_target_;
   Request request_;
@@ -342,7 +326,7 @@ void serve_http(const std::shared_ptr<Hub>& hub, asio::ip::tcp::socket socket) {
 
 void serve_refusal(const std::shared_ptr<Hub>& hub, asio::ip::tcp::socket socket) {
   ++hub->tally->connections_refused;
-  std::make_shared<HttpConnection>(hub, std::move(socket), std::nullopt)->begin();
+  std::make_shared<HttpConnection>(hub, std::move(socket), Ticket())->begin();
 }
 
 }  // namespace tacit::gateway

@@ -49,13 +49,15 @@ struct Hub {
   boost::asio::io_context io{1};
 };
 
-/// Counts an open connection as long as it lives.
+/// Counts an open connection as long as it lives; an empty one does not.
 class Ticket {
  public:
+  Ticket() = default;
   explicit Ticket(std::shared_ptr<Tally> tally) : tally_(std::move(tally)) {
     ++tally_->connections_open;
     ++tally_->connections_total;
   }
+  explicit operator bool() const { return tally_ != nullptr; }
   Ticket(Ticket&&) noexcept = default;
   Ticket& operator=(Ticket&&) = delete;
   ~Ticket() {

@@ -27,6 +27,12 @@ std::optional<Request::Fields> match(const std::vector<std::string>& pattern,
   return parameters;
 }
 
+void add_once(std::vector<std::string>& words, std::string_view word) {
+  if (std::find(words.begin(), words.end(), word) == words.end()) {
+    words.emplace_back(word);
+  }
+}
+
 }  // namespace
 
 void Router::add(Method method, std::string_view pattern, AnyHandler handler, Accepts accepts) {
@@ -50,7 +56,7 @@ Router::Found Router::find(Method method, const std::vector<std::string>& parts)
       continue;
     }
     if (route.method != method) {
-      found.allowed.emplace_back(name_of(route.method));
+      add_once(found.allowed, name_of(route.method));
     } else if (!found.route || parameters->size() < found.parameters.size()) {
       found.route = &route;
       found.parameters = std::move(*parameters);

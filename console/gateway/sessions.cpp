@@ -55,6 +55,14 @@ void Sessions::mark_newest(std::string_view id) {
   }
 }
 
+Sessions::StatePtr Sessions::at(const std::vector<std::string>& parts) const {
+  if (parts.size() == 2 && parts[0] == "ws") {
+    return find(parts[1]);
+  }
+  const bool is_newest = parts.size() == 1 && (parts[0] == "ws" || parts[0].empty());
+  return is_newest ? newest() : nullptr;
+}
+
 Sessions::StatePtr Sessions::find(std::string_view id) const {
   const std::scoped_lock lock(mutex_);
   const auto at = position(states_, id);

@@ -21,10 +21,13 @@ class Sessions {
                 const std::shared_ptr<Tally>& tally);
   void close(std::string_view id);
   void mark_newest(std::string_view id);
-  [[nodiscard]] StatePtr find(std::string_view id) const;  ///< Null when there is none.
-  [[nodiscard]] StatePtr newest() const;                   ///< The same.
+  /// At the path /ws/ID that of the id, at /ws and / the newest; null when there is none.
+  [[nodiscard]] StatePtr at(const std::vector<std::string>& parts) const;
 
  private:
+  StatePtr find(std::string_view id) const;
+  StatePtr newest() const;
+
   mutable std::mutex mutex_;
   std::vector<StatePtr> states_;  ///< The newest last.
 };

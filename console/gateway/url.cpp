@@ -102,6 +102,14 @@ std::optional<Target> parse_target(std::string_view target) {
   return good ? std::optional(std::move(parsed)) : std::nullopt;
 }
 
+std::string lower_case(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return small;
+}
+
 std::string host_without_port(std::string_view host) {
   const std::size_t bracket = host.find(']');
   const std::size_t end =
@@ -110,11 +118,7 @@ std::string host_without_port(std::string_view host) {
   const bool is_port =
       port.empty() ||
       (port.front() == ':' && port.find_first_not_of("0123456789", 1) == std::string_view::npos);
-  std::string name(is_port ? host.substr(0, end) : host);
-  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return name;
+  return lower_case(is_port ? host.substr(0, end) : host);
 }
 
 }  // namespace tacit::gateway

@@ -23,6 +23,9 @@ struct Target {
 /// Absent unless `target` begins with a slash and decodes. A `+` in the query is a space.
 [[nodiscard]] std::optional<Target> parse_target(std::string_view target);
 
+/// Of A to Z alone.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 /// "[::1]:80" gives "[::1]", "Example:80" gives "example"; what is no host with a port stays as it
 /// is.
 [[nodiscard]] std::string host_without_port(std::string_view host);
