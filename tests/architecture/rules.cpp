@@ -114,6 +114,7 @@ const LinkGraph& table() {
       {"mcap", {"Boost::headers", "zstd::libzstd_shared"}},
       {"record",
        {"types", "metrics", "OpenSSL::Crypto", "SQLiteCpp", "nlohmann_json::nlohmann_json"}},
+      {"tape", {"types", "topics", "schema", "bus", "scenario", "mcap", "record"}},
       {"report", {"types", "metrics", "Boost::headers", "nlohmann_json::nlohmann_json"}},
       {"gateway", {"Threads::Threads", "Boost::headers", "nlohmann_json::nlohmann_json"}},
       {"cbr", {"types", "cdl", "overlay"}},
@@ -128,7 +129,7 @@ const LinkGraph& table() {
        {"types", "lockstep", "report", "record", "scenario", "debrief", "overlay", "cbr",
         "Threads::Threads"}},
       {"tacit",
-       {"lockstep", "experiment", "record", "report", "metrics", "debrief", "bus", "scenario",
+       {"lockstep", "experiment", "record", "report", "tape", "metrics", "debrief", "bus", "scenario",
         "cdl", "overlay", "cases", "cbr", "wizard_client", "version", "CLI11::CLI11",
         "nlohmann_json::nlohmann_json"}},
       {"server",
@@ -139,7 +140,7 @@ const LinkGraph& table() {
       {"robot_agent",
        {"agent", "brain", "types", "bus", "topics", "version", "CLI11::CLI11", "spdlog::spdlog"}},
       {"console",
-       {"metrics", "record", "report", "types", "bus", "topics", "scenario", "version",
+       {"metrics", "record", "report", "tape", "types", "bus", "topics", "scenario", "version",
         "CLI11::CLI11", "spdlog::spdlog"}},
   };
   return kTable;
