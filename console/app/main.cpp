@@ -22,6 +22,8 @@
 namespace tacit {
 namespace {
 
+void say(const std::string& text) { std::fprintf(stderr, "console: %s\n", text.c_str()); }
+
 std::string read_scenario(const std::filesystem::path& file) {
   try {
     return read_whole_file(file);
@@ -64,14 +66,15 @@ Identity own_identity(const Options& options) {
   return identity;
 }
 
-Ending record(RunListener& listener, RunRecorder& recorder, const Options& options, Bell& bell) {
+Ending record(RunListener& listener, RunRecorder& recorder, LiveTape& tape, const Options& options,
+              Bell& bell) {
   constexpr std::chrono::milliseconds kRound{200};
   const RunDirectory& directory = recorder.directory();
   const std::string scenario_file = directory.scenario_file().string();
   const double tick_s = scenario_facts(read_scenario(scenario_file), scenario_file).tick_s;
   StatusLine line(options.quiet ? StatusLine::Mode::Silent : StatusLine::fitting_mode());
   Recording recording(
-      listener, recorder, line,
+      listener, recorder, tape, line,
       {options.trajectories, tick_s, std::chrono::duration<double>(options.patience_s)});
   std::optional<Ending> ending;
   while (!ending) {
@@ -81,16 +84,15 @@ Ending record(RunListener& listener, RunRecorder& recorder, const Options& optio
   return *ending;
 }
 
-void say(const std::string& text) { std::fprintf(stderr, "console: %s\n", text.c_str()); }
-
 /// Leaves what is recorded in good order, whatever happened.
-ExitCode close(RunRecorder& recorder, std::optional<RunStore>& store, const Ending& ending,
-               bool quiet) {
+ExitCode close(RunRecorder& recorder, LiveTape& tape, std::optional<RunStore>& store,
+               const Ending& ending, bool quiet) {
   if (!ending.trouble.empty()) {
     say(ending.trouble);
   }
   try {
     const RunOutcome outcome = recorder.finish(ending.wall_s, ending.trouble);
+    tape.finish(outcome);
     if (!quiet) {
       std::cerr << to_text(metrics_table(recorder.tally()));
     }
@@ -104,19 +106,24 @@ ExitCode close(RunRecorder& recorder, std::optional<RunStore>& store, const Endi
   return ending.code;
 }
 
+RunListener::Views views_for(const Options& options) {
+  if (options.trajectories) return RunListener::Views::EveryTick;
+  return options.tape.empty() ? RunListener::Views::None : RunListener::Views::SomeTimesASecond;
+}
+
 ExitCode run(const Options& options) {
-  const auto trajectories = options.trajectories;
   RunRecorder recorder(
       options.resume ? RunDirectory::open(options.out) : new_directory(options),
-      trajectories ? RunRecorder::Trajectories::On : RunRecorder::Trajectories::Off);
+      options.trajectories ? RunRecorder::Trajectories::On : RunRecorder::Trajectories::Off);
   auto store = open_store(options);
+  LiveTape tape =
+      options.tape.empty() ? LiveTape() : LiveTape(options.tape, recorder.directory(), say);
   Bell bell;
   const StopSignals signals(bell);
-  RunListener listener(
-      own_identity(options), recorder.directory().facts().robots,
-      trajectories ? RunListener::Trajectories::On : RunListener::Trajectories::Off, bell);
-  const Ending ending = record(listener, recorder, options, bell);
-  return close(recorder, store, ending, options.quiet);
+  RunListener listener(own_identity(options), recorder.directory().facts().robots,
+                       views_for(options), bell);
+  const Ending ending = record(listener, recorder, tape, options, bell);
+  return close(recorder, tape, store, ending, options.quiet);
 }
 
 ExitCode guarded_run(const Options& options) {

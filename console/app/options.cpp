@@ -44,6 +44,9 @@ void add_other_options(CLI::App& app, Options& options) {
   app.add_flag("--resume", options.resume,
                "Go on with the run directory of a console that died in this run");
   app.add_flag("--trajectories", options.trajectories, "Record every body at every tick");
+  app.add_option("--record", options.tape,
+                 "MCAP file in which to record what the run tells people; one that is there is "
+                 "kept under another name");
   app.add_flag("--quiet", options.quiet, "Show neither progress nor the final metrics");
   app.add_option("--patience", options.patience_s,
                  "Seconds without a word from the world after which it has vanished")

@@ -14,6 +14,7 @@ struct Options {
   std::filesystem::path scenario;  ///< As resolved. Not used with `resume`.
   std::filesystem::path out;
   std::filesystem::path store;  ///< Empty for none.
+  std::filesystem::path tape;   ///< An MCAP file; empty for none.
   int domain = 1;
   std::uint32_t run_nonce = 0;
   bool resume = false;

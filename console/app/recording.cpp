@@ -14,9 +14,9 @@ constexpr double kPaceWindow_s = 3.0;
 
 }  // namespace
 
-Recording::Recording(RunListener& listener, RunRecorder& recorder, StatusLine& line,
+Recording::Recording(RunListener& listener, RunRecorder& recorder, LiveTape& tape, StatusLine& line,
                      Setting setting)
-    : listener_(listener), recorder_(recorder), line_(line), setting_(setting) {}
+    : listener_(listener), recorder_(recorder), tape_(tape), line_(line), setting_(setting) {}
 
 std::optional<Ending> Recording::round() {
   std::optional<Ending> end;
@@ -56,17 +56,23 @@ std::optional<Ending> Recording::ending() {
 }
 
 void Recording::take() {
-  for (const EventBatch& batch : listener_.events()) {
+  listener_.events([&](const EventBatch& batch, RunListener::Bytes bytes) {
     recorder_.add(batch.first, batch.events);
     heard_ = Clock::now();
-  }
-  for (const WorldView& view : listener_.trajectories()) {
+    tape_.add(batch, bytes);
+  });
+  listener_.views([&](const WorldView& view, RunListener::Bytes bytes) {
     recorder_.add(view);
     newest_view_ = view.tick;
-  }
-  if (const auto status = listener_.status()) {
-    hear(*status);
-  }
+    tape_.add(view, bytes);
+  });
+  listener_.status([&](const RunStatus& status, RunListener::Bytes bytes) {
+    hear(status);
+    tape_.add(status, bytes);
+  });
+  listener_.telemetry(
+      [&](const Telemetry& telemetry, RunListener::Bytes bytes) { tape_.add(telemetry, bytes); });
+  tape_.keep();
   if (recorder_.ended() && !ended_) {
     ended_ = Clock::now();
   }

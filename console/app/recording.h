@@ -9,6 +9,7 @@
 #include "console/app/run_listener.h"
 #include "console/app/status_line.h"
 #include "console/record/run_recorder.h"
+#include "console/tape/live_tape.h"
 #include "idl/types/roster.h"
 
 namespace tacit {
@@ -20,7 +21,8 @@ struct Ending {
   double wall_s = 0.0;  ///< Of the run, as the world told it last.
 };
 
-/// Feeds a recorder with what a listener hears until the run is over, or the world has vanished.
+/// Feeds a recorder and a tape with what a listener hears until the run is over, or the world has
+/// vanished.
 class Recording {
  public:
   struct Setting {
@@ -29,7 +31,8 @@ class Recording {
     std::chrono::duration<double> patience{20.0};
   };
 
-  Recording(RunListener& listener, RunRecorder& recorder, StatusLine& line, Setting setting);
+  Recording(RunListener& listener, RunRecorder& recorder, LiveTape& tape, StatusLine& line,
+            Setting setting);
 
   /// One round: takes what has come and shows how the run stands. The ending once there is one.
   [[nodiscard]] std::optional<Ending> round();
@@ -47,6 +50,7 @@ class Recording {
 
   RunListener& listener_;
   RunRecorder& recorder_;
+  LiveTape& tape_;
   StatusLine& line_;
   Setting setting_;
   RunStatus status_;  ///< The newest.

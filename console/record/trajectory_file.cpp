@@ -32,23 +32,27 @@ void append_place(std::string& out, const WorldVec& position_m) {
 
 TrajectoryFile::TrajectoryFile(const std::filesystem::path& file) : file_(file) {
   if (file_.size() == 0) {
-    file_.append("tick,id,kind,x_m,y_m,heading_rad\n");
+    file_.append(kTrajectoryColumns);
+  }
+}
+
+void append_trajectory_lines(std::string& out, const WorldView& view) {
+  for (const ViewedRobot& robot : view.robots) {
+    append_body(out, view.tick, robot.robot.value, "robot");
+    append_place(out, robot.pose.position_m);
+    append_number(out, robot.pose.heading.rad());
+    out.append(1, '\n');
+  }
+  for (const ViewedEnemy& enemy : view.enemies) {
+    append_body(out, view.tick, enemy.enemy.value, name(enemy.kind));
+    append_place(out, enemy.position_m);
+    out.append(1, '\n');
   }
 }
 
 void TrajectoryFile::append(const WorldView& view) {
   lines_.clear();
-  for (const ViewedRobot& robot : view.robots) {
-    append_body(lines_, view.tick, robot.robot.value, "robot");
-    append_place(lines_, robot.pose.position_m);
-    append_number(lines_, robot.pose.heading.rad());
-    lines_.append(1, '\n');
-  }
-  for (const ViewedEnemy& enemy : view.enemies) {
-    append_body(lines_, view.tick, enemy.enemy.value, name(enemy.kind));
-    append_place(lines_, enemy.position_m);
-    lines_.append(1, '\n');
-  }
+  append_trajectory_lines(lines_, view);
   file_.append(lines_);
 }
 

@@ -8,6 +8,12 @@
 
 namespace tacit {
 
+/// The first line of a file of trajectories, with its newline.
+inline constexpr const char* kTrajectoryColumns = "tick,id,kind,x_m,y_m,heading_rad\n";
+
+/// Appends a view's lines.
+void append_trajectory_lines(std::string& out, const WorldView& view);
+
 /// Where every body was: CSV with the columns tick,id,kind,x_m,y_m,heading_rad in the world frame.
 /// `kind` is robot, normal or decoy; the heading is empty for enemies.
 class TrajectoryFile {

@@ -59,6 +59,9 @@ Program console(const RunPlan& plan, const RunDirectory& directory, Venue venue)
   if (plan.wish.trajectories) {
     program.arguments.emplace_back("--trajectories");
   }
+  if (!plan.tape.empty()) {
+    append(program.arguments, {"--record", plan.tape.string()});
+  }
   if (plan.wish.quiet) {
     program.arguments.emplace_back("--quiet");
   }

@@ -22,6 +22,7 @@ void add_map(CLI::App& app, Exit& ending);
 void add_scene(CLI::App& app, Exit& ending);
 void add_operate(CLI::App& app, Exit& ending);
 void add_preview(CLI::App& app, Exit& ending);
+void add_replay(CLI::App& app, Exit& ending);
 void add_verify(CLI::App& app, Exit& ending);
 void add_debrief(CLI::App& app, Exit& ending);
 void add_doctor(CLI::App& app, Exit& ending);

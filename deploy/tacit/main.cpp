@@ -45,6 +45,7 @@ Exit command_line(int argc, char** argv) {
   add_preview(app, ending);
   add_scene(app, ending);
   add_operate(app, ending);
+  add_replay(app, ending);
   add_verify(app, ending);
   add_debrief(app, ending);
   add_policy(app, ending);

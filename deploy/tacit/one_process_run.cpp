@@ -10,6 +10,7 @@
 #include "console/record/run_store.h"
 #include "console/report/metrics_table.h"
 #include "deploy/lockstep/team.h"
+#include "deploy/tacit/one_process_tape.h"
 #include "deploy/tacit/profile.h"
 #include "deploy/tacit/progress_line.h"
 
@@ -33,6 +34,9 @@ class Run {
                                                     : RunRecorder::Trajectories::Off),
         line_(plan.wish.quiet ? ProgressLine::Style::Silent : ProgressLine::Style::Live),
         learned_(learned_folder(plan, directory)) {
+    if (!plan.tape.empty()) {
+      tape_.emplace(plan.tape, directory, last_tick(plan.setup));
+    }
     if (!plan.policies.empty()) {
       team_.inherit(plan.policies);
     }
@@ -55,14 +59,21 @@ class Run {
  private:
   void make_ticks() {
     while (!team_.done(last_tick(plan_.setup)) && !early_end()) {
-      recorder_.add(team_.step());
+      take(team_.step());
       record_view();
       keep_pace();
     }
     if (!early_) {
       const Event ending = team_.ending();
-      recorder_.add({&ending, 1});
+      take({&ending, 1});
+      if (tape_) tape_->look(team_, recorder_.events());
     }
+  }
+
+  void take(std::span<const Event> events) {
+    const std::uint64_t first = recorder_.events();
+    recorder_.add(events);
+    if (tape_) tape_->add(first, events);
   }
 
   void record_view() {
@@ -70,6 +81,7 @@ class Run {
       team_.world().view(view_);
       recorder_.add(view_);
     }
+    if (tape_ && !team_.done(last_tick(plan_.setup))) tape_->look(team_, recorder_.events());
   }
 
   /// Looks at signals, the time and the progress line, a few times a second.
@@ -121,6 +133,7 @@ class Run {
       keep_lessons();
       const RunOutcome outcome = recorder_.finish(wall_s, early_ ? early_->because : "");
       RunStore(plan_.store).add(recorder_.row(outcome));
+      if (tape_) tape_->finish(outcome);
     } catch (const RecordError& error) {
       fail(error);
     }
@@ -168,6 +181,7 @@ class Run {
   Clock::time_point next_keeping_ = begin_ + kKeeping;
   std::optional<PolicyFolder> learned_;
   std::optional<Profile> profile_;
+  std::optional<OneProcessTape> tape_;
   std::optional<Ending> early_;
 };
 

@@ -66,6 +66,11 @@ void add_run_options(CLI::App& run, RunWish& wish, std::string& speed) {
                  "Folder of policies: the robots begin with what is there and keep there what they "
                  "learn")
       ->type_name("DIR");
+  run.add_option("--record", wish.record_file,
+                 "Record what the run tells people as an MCAP file, for `tacit replay`, Foxglove "
+                 "and others [run.mcap in DIR]")
+      ->type_name("FILE")
+      ->expected(0, 1);
   run.add_flag("--trajectories", wish.trajectories, "Record where every body was, tick by tick");
   run.add_flag("--profile", wish.profile, "Tell where the time went (with --one-process)");
   run.add_option("--timeout", wish.timeout_s, "End the run after so much wall time; 0: never")
@@ -97,7 +102,8 @@ void add_run(CLI::App& app, Exit& ending) {
   add_scenario_options(*command, *wish);
   add_run_options(*command, *wish, *speed);
   command->footer(kExamples);
-  command->callback([wish, speed, &ending] {
+  command->callback([command, wish, speed, &ending] {
+    wish->record = command->count("--record") > 0;
     wish->speed = read_speed(*speed);
     wish->command_line = words_typed();
     ending = run(*wish);

@@ -87,6 +87,22 @@ fs::path store_of(const RunWish& wish, const fs::path& out) {
   return wish.store;
 }
 
+/// Where the run is recorded; empty for nowhere. A file that is there is somebody's.
+fs::path tape_of(const RunWish& wish, const fs::path& out) {
+  if (!wish.record) return {};
+  const fs::path file =
+      fs::absolute(wish.record_file.empty() ? out / "run.mcap" : fs::path(wish.record_file));
+  if (file.extension() != ".mcap") {
+    throw ConfigError("--record: found \"" + wish.record_file +
+                      "\", wanted a file that ends in .mcap");
+  }
+  if (!wish.record_file.empty() && !fs::is_directory(file.parent_path())) {
+    throw ConfigError("--record: there is no directory " + file.parent_path().string());
+  }
+  if (fs::exists(file)) throw ConfigError("--record: " + file.string() + " is there already");
+  return file;
+}
+
 /// Checked here, so that a policy that does not fit is told before anything is made.
 std::vector<PolicyText> policies_for(const RunWish& wish, const Setup& setup) {
   if (wish.policy.empty()) {
@@ -148,6 +164,7 @@ RunPlan plan(RunWish wish) {
   plan.facts = facts_of(wish, plan.setup);
   plan.out = wish.out.empty() ? unused_directory(plan.facts) : fs::path(wish.out);
   plan.store = store_of(wish, plan.out);
+  plan.tape = tape_of(wish, plan.out);
   plan.policies = policies_for(wish, plan.setup);
   plan.wish = std::move(wish);
   return plan;

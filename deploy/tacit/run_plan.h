@@ -29,6 +29,8 @@ struct RunWish {
   std::string store;
   std::string policy;  ///< Folder from which policies come and where they go.
   std::vector<std::string> command_line;
+  bool record = false;      ///< What the run tells people, as an MCAP file.
+  std::string record_file;  ///< Empty for run.mcap in the run directory.
   bool one_process = false;
   bool trajectories = false;
   bool profile = false;  ///< Tell where the time went; in one process only.
@@ -49,6 +51,7 @@ struct RunPlan {
   RunFacts facts;
   std::filesystem::path out;
   std::filesystem::path store;
+  std::filesystem::path tape;  ///< Empty for none.
 };
 
 /// The scenario with the person's wishes over its own values. Throws ConfigError when it cannot

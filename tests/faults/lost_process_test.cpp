@@ -81,6 +81,17 @@ TEST(KilledConsole, IsStartedAgainAndTheLogIsComplete) {
   EXPECT_EQ(summary["event_log_sha256"], undisturbed_sha256());
 }
 
+TEST(KilledConsole, LeavesItsRecordingBesideTheNextOne) {
+  LiveRun run({"--record"});
+  const std::filesystem::path folder = run.directory();
+  ASSERT_TRUE(becomes_true([&] { return std::filesystem::exists(folder / "run.mcap"); }));
+  kill(run.console(), SIGKILL);
+  const Finished finished = run.launcher().finish();
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(tacit({"replay", folder / "run.mcap", "--events"}).out, run.events());
+  EXPECT_EQ(tacit({"replay", folder / "run.1.mcap"}).exit_code, 0);
+}
+
 class Interrupt : public testing::TestWithParam<int> {};
 
 TEST_P(Interrupt, EndsAllWithinTwoSecondsAndLeavesNothingBehind) {
