@@ -17,8 +17,8 @@ std::string text_of(const std::string& file) {
 std::string as_source(const std::vector<IdlStruct>& structs) {
   std::string source =
       "#include \"idl/schema/schema.h\"\n\nnamespace tacit {\n\n"
-      "std::span<const Schema> schemas() {\n"
-      "  static constexpr Schema kSchemas[] = {\n";
+      "std::span<const WireSchema> schemas() {\n"
+      "  static constexpr WireSchema kSchemas[] = {\n";
   for (const IdlStruct& each : structs) {
     source += "      {\"" + ros2msg_name(each) + "\", R\"msg(" + ros2msg_text(each, structs) +
               ")msg\"},\n";

@@ -3,7 +3,7 @@
 namespace tacit {
 
 std::string_view ros2msg_schema(std::string_view type) {
-  for (const Schema& schema : schemas()) {
+  for (const WireSchema& schema : schemas()) {
     if (schema.name == type) return schema.text;
   }
   return {};

@@ -9,13 +9,13 @@ namespace tacit {
 
 /// What the bytes of a wire type mean, for other people's tools: ROS 2 message text ("ros2msg"),
 /// made from the IDL when the project is built.
-struct Schema {
+struct WireSchema {
   std::string_view name;  ///< "tacit_wire/msg/WorldView".
   std::string_view text;
 };
 
 /// Of every struct in idl/wire.
-[[nodiscard]] std::span<const Schema> schemas();
+[[nodiscard]] std::span<const WireSchema> schemas();
 
 /// The text of the schema of that name; empty when there is none.
 [[nodiscard]] std::string_view ros2msg_schema(std::string_view type);
@@ -26,7 +26,7 @@ template <class Topic>
 
 /// The schema of a topic for people.
 template <class Topic>
-[[nodiscard]] Schema schema_of() {
+[[nodiscard]] WireSchema schema_of() {
   return {schema_name<Topic>(), ros2msg_schema(schema_name<Topic>())};
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Schema, OfEveryStructHasTextOfItsOwn) {
   ASSERT_GT(schemas().size(), 20U);
-  for (const Schema& schema : schemas()) {
+  for (const WireSchema& schema : schemas()) {
     EXPECT_FALSE(schema.text.empty()) << schema.name;
     EXPECT_EQ(ros2msg_schema(schema.name), schema.text) << "the name stands twice: " << schema.name;
   }
