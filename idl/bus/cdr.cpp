@@ -15,6 +15,13 @@ using eprosima::fastrtps::rtps::SerializedPayload_t;
 
 constexpr Flaw kUndecodable{"it cannot be decoded"};
 
+/// To make one costs more than to use it.
+template <class Support>
+Support& support() {
+  thread_local Support made;
+  return made;
+}
+
 /// A payload of somebody else's memory.
 class Lent {
  public:
@@ -37,8 +44,7 @@ bool decoded(std::span<const std::uint8_t> bytes, Wire& wire) {
   std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
   Lent lent(copy);
   try {
-    Support support;
-    return support.deserialize(&lent.payload, &wire);
+    return support<Support>().deserialize(&lent.payload, &wire);
   } catch (const std::exception&) {
     return false;
   }
@@ -50,11 +56,11 @@ template <class Word>
 void to_cdr(const Word& word, std::vector<std::uint8_t>& bytes) {
   typename WireOf<Word>::Wire wire;
   to_wire(word, wire);
-  typename WireOf<Word>::Support support;
+  auto& type = support<typename WireOf<Word>::Support>();
   // Fast CDR steps over the gaps before aligned members.
-  bytes.assign(support.getSerializedSizeProvider(&wire)(), 0);
+  bytes.assign(type.getSerializedSizeProvider(&wire)(), 0);
   Lent lent(bytes);
-  support.serialize(&wire, &lent.payload);
+  type.serialize(&wire, &lent.payload);
   bytes.resize(lent.payload.length);
 }
 
