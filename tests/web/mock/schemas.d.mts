@@ -1,0 +1,2 @@
+export function schema_of(name: string): string;
+export function writer_of(name: string): (value: object) => Uint8Array;
