@@ -1,0 +1,123 @@
+import { useState } from 'react';
+
+import { words_of } from '@/api/client';
+import type { Run } from '@/api/types';
+import { TwiceButton } from '@/app/parts';
+import { clock } from '@/app/numbers';
+import { address_of } from '@/app/route';
+import type { LiveRun } from '@/live/live_run';
+import { useNews } from '@/operate/use_live';
+
+/** Times real time; 0 is as fast as it goes. */
+export const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16, 0];
+
+export interface RunControls {
+  speed: number;
+  error: string;
+  toggle: () => void;
+  step: () => void;
+  faster: () => void;
+  slower: () => void;
+  set_speed: (factor: number) => void;
+  stop: () => void;
+}
+
+export function useControls(live: LiveRun): RunControls {
+  const [speed, note_speed] = useState(1);
+  const [error, set_error] = useState('');
+  const call = async (service: string, request: object = {}) => {
+    try {
+      await live.call(service, request);
+      set_error('');
+      return true;
+    } catch (thrown) {
+      set_error(`"${service}" was not done: ${words_of(thrown)}`);
+      return false;
+    }
+  };
+  const set_speed = async (factor: number) => {
+    if (await call('speed', { factor })) note_speed(factor);
+  };
+  const change = (by: number) => {
+    const next = kSpeeds[kSpeeds.indexOf(speed) + by];
+    if (next !== undefined) void set_speed(next);
+  };
+  return {
+    speed,
+    error,
+    toggle: () => void call(live.phase === 'paused' ? 'resume' : 'pause'),
+    step: async () => {
+      if (live.phase !== 'paused' && !(await call('pause'))) return;
+      void call('step', { ticks: 1 });
+    },
+    faster: () => change(1),
+    slower: () => change(-1),
+    set_speed: (factor) => void set_speed(factor),
+    stop: () => void call('stop'),
+  };
+}
+
+export function Controls(props: { live: LiveRun; controls: RunControls; run: Run }) {
+  const { live, controls, run } = props;
+  useNews(live);
+  const { status } = live;
+  const paused = live.phase === 'paused';
+  const dead = live.link !== 'open' || live.over;
+  return (
+    <header className="controls">
+      <div className="run-title">
+        <h1>{run.name || run.id}</h1>
+        <span className={`phase ${live.phase ?? ''}`}>{live.phase ?? 'not heard yet'}</span>
+      </div>
+      <div className="row" role="group" aria-label="Run">
+        <button type="button" className="primary wide" onClick={controls.toggle} disabled={dead}>
+          <span aria-hidden="true">{paused ? '▶' : '❚❚'}</span> {paused ? 'Play' : 'Pause'}
+        </button>
+        <button type="button" onClick={controls.step} disabled={dead}>
+          <span aria-hidden="true">▶❚</span> Step
+        </button>
+        <label className="speed">
+          Speed
+          <select
+            value={controls.speed}
+            disabled={dead}
+            onChange={(event) => controls.set_speed(Number(event.target.value))}
+          >
+            {kSpeeds.map((factor) => (
+              <option key={factor} value={factor}>
+                {factor === 0 ? 'as fast as it goes' : `${factor} ×`}
+              </option>
+            ))}
+          </select>
+        </label>
+        <TwiceButton label="Stop" sure="Press again to stop" act={controls.stop} disabled={dead} />
+      </div>
+      <dl className="facts">
+        <Fact name="Time" value={clock(live.view?.time_s ?? 0)} />
+        <Fact name="Tick" value={status ? `${live.view?.tick ?? status.tick} of ${status.last_tick}` : '–'} />
+        <Fact name="Real-time factor" value={paused ? '–' : `${live.real_time_factor.toFixed(2)} ×`} />
+        <Fact name="Robots" value={status ? `${status.present} of ${status.robots}` : '–'} />
+        {live.over && (
+          <a className="button" href={address_of('results', run.id)}>
+            Results
+          </a>
+        )}
+      </dl>
+      {controls.error && (
+        <p className="controls-error" role="alert">
+          <span aria-hidden="true">⚠ </span>
+          {controls.error}
+        </p>
+      )}
+    </header>
+  );
+}
+
+function Fact({ name, value }: { name: string; value: string }) {
+  return (
+    <div>
+      <dt>{name}</dt>
+      <dd>{value}</dd>
+    </div>
+  );
+}

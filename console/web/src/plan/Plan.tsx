@@ -1,0 +1,3 @@
+export default function Plan() {
+  return <p>Plan</p>;
+}

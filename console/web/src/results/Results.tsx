@@ -1,0 +1,3 @@
+export default function Results({ run }: { run: string }) {
+  return <p>Results {run}</p>;
+}
