@@ -31,7 +31,7 @@ Identity observer(const Venue& venue) {
 
 template <class Topic>
 Channel channel_of(RobotId robot, Keep keep) {
-  const Schema schema = schema_of<Topic>();
+  const WireSchema schema = schema_of<Topic>();
   return {'/' + topic_name<Topic>(robot), "cdr",     std::string(schema.name),
           std::string(schema.text),       "ros2msg", keep};
 }

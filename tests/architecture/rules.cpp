@@ -84,10 +84,15 @@ const std::vector<Place>& places() {
       {std::regex(R"(<zstd\.h>|<boost/crc\.hpp>)"), std::regex(R"(console/mcap/.*)"), "MCAP"},
       {std::regex(R"(<nlohmann/.*)"),
        std::regex(R"(robot_agent/brain/learning/policy_text\.cpp|console/record/.*|)"
-                  R"(console/gateway/.*|deploy/tacit/.*|tests/.*)"),
+                  R"(console/(gateway|live|server)/.*|wizard_service/client/plan_json\.cpp|)"
+                  R"(deploy/tacit/.*|tests/.*)"),
        "JSON"},
       {std::regex(R"(<boost/(asio|beast|system)\W.*)"),
        std::regex(R"(console/gateway/.*|tests/.*)"), "Boost.Beast"},
+      {std::regex(R"(<boost/process.*)"), std::regex(R"(console/server/job\.cpp)"),
+       "Boost.Process"},
+      {std::regex(R"(<prometheus/.*)"), std::regex(R"(console/server/api_health\.cpp)"),
+       "prometheus-cpp"},
   };
   return kPlaces;
 }
@@ -122,15 +127,20 @@ const LinkGraph& table() {
       {"wizard", {"types", "topics", "bus", "overlay", "cbr", "cases", "spdlog::spdlog"}},
       {"wizard_service",
        {"wizard", "types", "topics", "bus", "cases", "version", "CLI11::CLI11", "spdlog::spdlog"}},
-      {"wizard_client", {"types", "topics", "bus"}},
+      {"wizard_client", {"types", "topics", "bus", "cbr", "nlohmann_json::nlohmann_json"}},
+      {"live", {"types", "topics", "bus", "schema", "gateway", "nlohmann_json::nlohmann_json"}},
+      {"console_server",
+       {"types", "topics", "bus", "gateway", "live", "record", "wizard_client", "cbr", "scenario",
+        "version", "prometheus-cpp::core", "Boost::headers", "nlohmann_json::nlohmann_json",
+        "spdlog::spdlog", "Threads::Threads"}},
       {"lockstep",
        {"types", "scenario", "brain", "world", "world_map", "cdl", "overlay", "metrics"}},
       {"experiment",
        {"types", "lockstep", "report", "record", "scenario", "debrief", "overlay", "cbr",
         "Threads::Threads"}},
       {"tacit",
-       {"lockstep", "experiment", "record", "report", "tape", "metrics", "debrief", "bus", "scenario",
-        "cdl", "overlay", "cases", "cbr", "wizard_client", "version", "CLI11::CLI11",
+       {"lockstep", "experiment", "record", "report", "tape", "metrics", "debrief", "bus",
+        "scenario", "cdl", "overlay", "cases", "cbr", "wizard_client", "version", "CLI11::CLI11",
         "nlohmann_json::nlohmann_json"}},
       {"server",
        {"world", "world_map", "types", "bus", "topics", "scenario", "version", "spdlog::spdlog"}},
@@ -140,8 +150,8 @@ const LinkGraph& table() {
       {"robot_agent",
        {"agent", "brain", "types", "bus", "topics", "version", "CLI11::CLI11", "spdlog::spdlog"}},
       {"console",
-       {"metrics", "record", "report", "tape", "types", "bus", "topics", "scenario", "version",
-        "CLI11::CLI11", "spdlog::spdlog"}},
+       {"console_server", "gateway", "metrics", "record", "report", "tape", "types", "bus",
+        "topics", "scenario", "version", "CLI11::CLI11", "spdlog::spdlog"}},
   };
   return kTable;
 }
