@@ -30,7 +30,8 @@ struct ServerConfig {
   std::string token = {};
   /// Names by which the server may be called beside localhost, 127.0.0.1, [::1] and its address.
   std::vector<std::string> hosts = {};
-  /// Pages of other servers that may use this one, such as "https://app.foxglove.dev".
+  /// Pages of other servers that may open sockets here, such as "https://app.foxglove.dev", and
+  /// programs that call themselves so.
   std::vector<std::string> origins = {};
   std::string content_security_policy =
       "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "

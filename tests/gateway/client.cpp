@@ -72,6 +72,11 @@ Reply get(std::uint16_t port, const std::string& target, const Fields& headers) 
 }
 
 std::optional<std::string> raw(std::uint16_t port, std::string_view bytes, double within_s) {
+  return raw(port, bytes, {}, within_s);
+}
+
+std::optional<std::string> raw(std::uint16_t port, std::string_view bytes, std::string_view then,
+                               double within_s) {
   asio::io_context io;
   asio::ip::tcp::socket socket(io);
   socket.connect(server_at(port));
@@ -83,6 +88,10 @@ std::optional<std::string> raw(std::uint16_t port, std::string_view bytes, doubl
   const std::function<void()> read = [&] {
     socket.async_read_some(asio::buffer(some), [&](error_code failed, std::size_t size) {
       all.append(some.data(), size);
+      if (!then.empty() && all.find("\r\n\r\n") != std::string::npos) {
+        asio::write(socket, asio::buffer(then.data(), then.size()), ec);
+        then = {};
+      }
       closed = static_cast<bool>(failed);
       if (!closed) {
         read();

@@ -38,6 +38,9 @@ struct Ask {
 /// long. Absent when it does not close.
 [[nodiscard]] std::optional<std::string> raw(std::uint16_t port, std::string_view bytes,
                                              double within_s = 5.0);
+/// The same, but sends `then` after the server has answered with a header.
+[[nodiscard]] std::optional<std::string> raw(std::uint16_t port, std::string_view bytes,
+                                             std::string_view then, double within_s);
 
 /// A WebSocket client. Each function throws when it takes more than 5 s or the socket closes.
 class Socket {

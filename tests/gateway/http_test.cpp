@@ -115,6 +115,12 @@ TEST_F(Http, ABodyTooLargeIs413) {
   EXPECT_EQ(post(std::string(100, ' '), type).status, 200);
   EXPECT_EQ(post(std::string(101, ' '), type).status, 413);
   EXPECT_EQ(post(std::string(5'000'000, ' '), type).status, 413);
+  const auto chunked = raw(port_,
+                           "POST /api/runs HTTP/1.1\r\nHost: localhost\r\nContent-Type: "
+                           "application/json\r\nTransfer-Encoding: chunked\r\n\r\n100\r\n" +
+                               std::string(256, ' ') + "\r\n0\r\n\r\n");
+  ASSERT_TRUE(chunked);
+  EXPECT_EQ(chunked->substr(0, 12), "HTTP/1.1 413");
 }
 
 TEST_F(Http, AHeaderTooLargeIs431) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
@@ -169,13 +170,18 @@ TEST_F(Fuzz, FramesByChanceDoNoHarm) {
   for (int i = 0; i < 300; ++i) {
     std::string frames;
     for (std::size_t count = 1 + below(4); count > 0; --count) {
-      const std::string body = noise(120);
-      frames += static_cast<char>(below(4) == 0 ? below(256) : 0x80U + below(3));
+      std::string body = noise(120);
+      const std::size_t kind = below(8) == 0 ? below(256) : 0x81U + below(2);
+      if (kind == 0x81U) {
+        std::transform(body.begin(), body.end(), body.begin(), [](char c) { return c & 0x7f; });
+      }
+      frames += static_cast<char>(kind);
       frames += static_cast<char>((below(8) == 0 ? 0U : 0x80U) + body.size());
       frames += std::string(4, '\0') + body;
     }
-    static_cast<void>(raw(port_, upgrade + frames, 0.005));
+    static_cast<void>(raw(port_, upgrade, frames, 0.01));
   }
+  EXPECT_GT(server_->counters().messages_received, 100U);
   EXPECT_EQ(Socket(port_).next("serverInfo").at("sessionId"), "run-1");
   EXPECT_TRUE(comes_true([&] { return session_->clients() == 0; }));
 }

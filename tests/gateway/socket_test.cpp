@@ -308,6 +308,27 @@ TEST_F(SocketTest, StoppingSaysGoodbyeToClients) {
   session_->status(StatusLevel::Info, "nobody is here");
 }
 
+TEST_F(SocketTest, MessagesAreCompressedOnlyWhereThatIsWanted) {
+  const std::string upgrade =
+      "GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
+      "Sec-WebSocket-Extensions: permessage-deflate\r\n"
+      "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n";
+  const std::string goodbye("\x88\x80\0\0\0\0", 6);
+  ServerConfig config;
+  config.compress = true;
+  Server compressing(config);
+  compressing.open_session("run", "Run");
+  compressing.start();
+  const auto plain = raw(port_, upgrade, goodbye, 5.0);
+  const auto compressed = raw(compressing.port(), upgrade, goodbye, 5.0);
+  ASSERT_TRUE(plain && compressed);
+  EXPECT_EQ(plain->find("permessage-deflate"), std::string::npos);
+  EXPECT_NE(plain->find("serverInfo"), std::string::npos);
+  EXPECT_NE(compressed->find("permessage-deflate"), std::string::npos);
+  EXPECT_EQ(compressed->find("serverInfo"), std::string::npos);
+}
+
 TEST_F(SocketTest, APlainRequestToASocketIs426) {
   EXPECT_EQ(get(server_->port(), "/ws/run-1").status, 426);
 }
