@@ -22,7 +22,7 @@ struct Participant::Entities {
   std::string where;  ///< "domain 3", for messages.
 
   /// The topic of that name, made at first use. Throws BusError, also when
-  /// the type's name stands for another C++ type already.
+  /// one of `type` and what its name stands for already is opaque, the other not.
   eprosima::fastdds::dds::Topic* topic(const std::string& name,
                                        eprosima::fastdds::dds::TypeSupport& type);
 };

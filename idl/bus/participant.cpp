@@ -12,9 +12,8 @@
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
-#include <typeinfo>
-
 #include "idl/bus/entities.h"
+#include "idl/bus/opaque_type.h"
 #include "idl/bus/qos.h"
 
 namespace tacit {
@@ -32,12 +31,13 @@ void send_log_to_standard_error() {
   dds::Log::RegisterConsumer(std::move(consumer));
 }
 
+bool is_opaque(const dds::TypeSupport& type) {
+  return dynamic_cast<const OpaqueType*>(type.get()) != nullptr;
+}
+
 /// Fast DDS keeps the first of several supports of one name, and hands its samples to all.
-void require_same_kind(const dds::DomainParticipant& participant, dds::TypeSupport& type) {
-  const dds::TypeSupport known = participant.find_type(type.get_type_name());
-  const dds::TopicDataType& held = *known;
-  const dds::TopicDataType& wanted = *type;
-  if (typeid(held) != typeid(wanted)) {
+void require_same_kind(const dds::DomainParticipant& participant, const dds::TypeSupport& type) {
+  if (is_opaque(participant.find_type(type.get_type_name())) != is_opaque(type)) {
     throw BusError(type.get_type_name() + " is read as bytes and as words by one participant");
   }
 }

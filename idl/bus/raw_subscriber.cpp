@@ -11,6 +11,7 @@
 #include <atomic>
 
 #include "idl/bus/entities.h"
+#include "idl/bus/opaque_type.h"
 #include "idl/bus/qos.h"
 #include "idl/bus/wire_of.h"
 #include "idl/wire/teamPubSubTypes.h"
@@ -19,36 +20,7 @@ namespace tacit {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-using eprosima::fastrtps::rtps::InstanceHandle_t;
-using eprosima::fastrtps::rtps::SerializedPayload_t;
 using eprosima::fastrtps::types::ReturnCode_t;
-using Bytes = std::vector<std::uint8_t>;
-
-constexpr std::uint32_t kEncapsulation = 4;
-
-/// Stands for a wire type, which it resembles in all that Fast DDS compares: name, size and that it
-/// has a key or has none.
-class OpaqueType final : public dds::TopicDataType {
- public:
-  explicit OpaqueType(const dds::TopicDataType& like) {
-    setName(like.getName());
-    m_typeSize = like.m_typeSize;
-    m_isGetKeyDefined = like.m_isGetKeyDefined;
-  }
-  bool deserialize(SerializedPayload_t* payload, void* data) override {
-    static_cast<Bytes*>(data)->assign(payload->data, payload->data + payload->length);
-    return payload->length >= kEncapsulation;
-  }
-  void* createData() override { return new Bytes; }
-  void deleteData(void* data) override { delete static_cast<Bytes*>(data); }
-
-  // Nobody writes bytes, and nobody asks for their key.
-  bool serialize(void*, SerializedPayload_t*) override { return false; }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void*) override {
-    return [] { return 0U; };
-  }
-  bool getKey(void*, InstanceHandle_t*, bool) override { return false; }
-};
 
 }  // namespace
 
