@@ -42,11 +42,28 @@ jobs() {
   [ "$by_memory" -lt "$by_processors" ] && echo "$by_memory" || echo "$by_processors"
 }
 
+# The page is built when what it is made from has changed. Without it everything else works.
+build_page() {
+  if ! command -v npm >/dev/null; then
+    echo "== page: left out, there is no npm" >&2
+    return
+  fi
+  made=console/web/dist/index.html
+  if [ -e "$made" ] && [ -z "$(find console/web -path console/web/node_modules -prune -o \
+      -path console/web/dist -prune -o -type f -newer "$made" -print | head -n 1)" ]; then
+    return
+  fi
+  echo "== page: console/web" >&2
+  (cd console/web && npm ci --no-audit --no-fund --loglevel=error >&2 && npm run --silent build >&2) ||
+    echo "== page: left out, it could not be built" >&2
+}
+
 [ "$install" = no ] || deploy/install.sh
 if [ ! -e "build/$preset/build.ninja" ]; then
   echo "== configuring build/$preset" >&2
   cmake --preset "$preset" >&2
 fi
+if [ $# -eq 0 ] || [ "$1" = console ] || [ "$1" = tacit ]; then build_page; fi
 echo "== building build/$preset" >&2
 if [ $# -gt 0 ]; then
   cmake --build "build/$preset" -j "$(jobs)" --target "$@" >&2

@@ -10,7 +10,12 @@ libraries="libboost1.81-dev libbullet-dev libcli11-dev libeigen3-dev libfastcdr-
   libzstd-dev nlohmann-json3-dev prometheus-cpp-dev tao-pegtl-dev"
 # clang is for the fuzzers alone.
 tests="clang-14 libbenchmark-dev libclang-rt-14-dev libgmock-dev libgtest-dev"
-packages="$compilers $generators $libraries $tests"
+# For the console's page. A Node of another origin will do.
+pages="nodejs npm"
+if command -v npm >/dev/null && node -e 'process.exit(parseInt(process.versions.node) < 18)' 2>/dev/null; then
+  pages=
+fi
+packages="$compilers $generators $libraries $tests $pages"
 
 usage() {
   cat <<END
