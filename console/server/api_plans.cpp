@@ -131,7 +131,9 @@ Response preview_state(Job& job) {
   if (job.running()) {
     return gateway::json(json{{"state", "running"}, {"flown", nullptr}}.dump());
   }
-  const json result = json::parse(job.out(), nullptr, false);
+  json result = json::parse(job.out(), nullptr, false);
+  // One that was told to end before it had begun.
+  if (!result.is_object() && job.exit_code().value_or(0) >= 128) result = {{"cut_short", true}};
   if (!result.is_object()) return gateway::error(422, job.complaint());
   json failures = json::array();
   for (const json& one : result.value("weaknesses", json::array())) failures.push_back(one);

@@ -72,6 +72,7 @@ Running::~Running() {
 void Running::send(int signal) const { kill(pid_, signal); }
 
 std::string Running::said() const { return text_of(scratch_ / "err"); }
+std::string Running::printed() const { return text_of(scratch_ / "out"); }
 
 Finished Running::finish(std::chrono::seconds patience) {
   int status = 0;

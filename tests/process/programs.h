@@ -52,6 +52,8 @@ class Running {
   void send(int signal) const;
   /// What it has written to standard error so far.
   [[nodiscard]] std::string said() const;
+  /// What it printed so far.
+  [[nodiscard]] std::string printed() const;
   /// Waits for its end, at most so long; kills it then.
   Finished finish(std::chrono::seconds patience = std::chrono::seconds(60));
 
