@@ -68,6 +68,9 @@ int serve(int argc, char** argv) {
                  "To listen on; beyond this machine a token is needed, which is told")
       ->capture_default_str();
   app.add_option("--token", config.token, "Needed by whoever comes [made up beyond this machine]");
+  app.add_option("--origin", config.origins,
+                 "A page of another server that may open sockets, as in https://app.foxglove.dev")
+      ->type_name("ORIGIN");
   app.add_option("--runs", config.runs, "Folder of run directories [runs]")->type_name("DIR");
   app.add_option("--cases", config.cases, "Case base of the wizard [its own]")->type_name("FILE");
   app.add_option("--pages", config.pages, "Folder of the page [as built]")->type_name("DIR");

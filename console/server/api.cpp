@@ -28,6 +28,7 @@ gateway::ServerConfig gateway_config(const ConsoleServerConfig& config) {
   gateway.pages = config.pages;
   gateway.name = "Tacit";
   gateway.token = config.token;
+  gateway.origins = config.origins;
   return gateway;
 }
 

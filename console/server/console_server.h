@@ -11,12 +11,13 @@ namespace tacit {
 /// Where the console serves from, and what.
 struct ConsoleServerConfig {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 8080;       ///< 0: any that is free.
-  std::string token;               ///< See gateway::ServerConfig.
-  std::filesystem::path pages;     ///< Of the page; a plain one when it is not there.
-  std::filesystem::path runs;      ///< Folder of run directories.
-  std::filesystem::path programs;  ///< Where `tacit` and `wizard_service` lie.
-  std::string cases;               ///< Case base; empty: the wizard's own.
+  std::uint16_t port = 8080;         ///< 0: any that is free.
+  std::string token;                 ///< See gateway::ServerConfig.
+  std::vector<std::string> origins;  ///< Pages of other servers that may open sockets.
+  std::filesystem::path pages;       ///< Of the page; a plain one when it is not there.
+  std::filesystem::path runs;        ///< Folder of run directories.
+  std::filesystem::path programs;    ///< Where `tacit` and `wizard_service` lie.
+  std::string cases;                 ///< Case base; empty: the wizard's own.
   std::vector<std::filesystem::path> maps;
   std::vector<std::filesystem::path> missions;
   std::vector<std::filesystem::path> scenarios;

@@ -31,6 +31,7 @@ struct ConsoleWish {
   std::string runs = "runs";
   std::string cases;
   std::string pages;
+  std::vector<std::string> origins;
 };
 
 /// Becomes the console.
@@ -43,6 +44,7 @@ Exit serve(const ConsoleWish& wish) {
   add("--token", wish.token);
   add("--cases", wish.cases);
   add("--pages", wish.pages);
+  for (const std::string& origin : wish.origins) add("--origin", origin);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -68,6 +70,10 @@ void add_console(CLI::App& app, Exit& ending) {
   command->add_option("--runs", wish->runs, "Folder of run directories")
       ->type_name("DIR")
       ->capture_default_str();
+  command
+      ->add_option("--origin", wish->origins,
+                   "A page of another server that may open sockets, as in https://app.foxglove.dev")
+      ->type_name("ORIGIN");
   command->add_option("--cases", wish->cases, "Case base of the wizard [its own]")
       ->type_name("FILE");
   command->add_option("--pages", wish->pages, "Folder of the page [as built]")->type_name("DIR");
