@@ -12,7 +12,8 @@ libraries="libboost1.81-dev libbullet-dev libcli11-dev libeigen3-dev libfastcdr-
 tests="clang-14 libbenchmark-dev libclang-rt-14-dev libgmock-dev libgtest-dev"
 # For the console's page. A Node of another origin will do.
 pages="nodejs npm"
-if command -v npm >/dev/null && node -e 'process.exit(parseInt(process.versions.node) < 18)' 2>/dev/null; then
+if command -v npm >/dev/null &&
+  node -e 'process.exit(parseInt(process.versions.node) < 18 ? 1 : 0)' 2>/dev/null; then
   pages=
 fi
 packages="$compilers $generators $libraries $tests $pages"
