@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "console/gateway/server.h"
+#include "console/live/replay.h"
 #include "console/server/console_server.h"
 #include "console/server/job.h"
 #include "console/server/library.h"
@@ -37,9 +38,11 @@ struct Api {
   std::map<std::string, std::shared_ptr<Job>> run_jobs;
   std::map<std::string, std::shared_ptr<Job>> previews;
   std::map<std::string, std::string> checklists;  ///< Of runs that are over, by id.
-  std::mutex mutex;                               ///< Of the three above.
-  std::uint64_t numbers = 0;                      ///< Given to jobs; under the mutex.
-  std::unique_ptr<Worker> worker;                 ///< For what takes longer than a moment.
+  /// By the run's id; those that were asked for last.
+  std::vector<std::pair<std::string, std::unique_ptr<Replay>>> replays;
+  std::mutex mutex;                ///< Of the four above.
+  std::uint64_t numbers = 0;       ///< Given to jobs; under the mutex.
+  std::unique_ptr<Worker> worker;  ///< For what takes longer than a moment.
 };
 
 /// Each adds its routes.

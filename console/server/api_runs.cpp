@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "console/mcap/mcap_error.h"
 #include "console/record/run.h"
 #include "console/server/api.h"
 #include "idl/types/config_error.h"
@@ -17,6 +18,8 @@ using nlohmann::json;
 /// For a run to have begun, or to have said why it cannot.
 constexpr std::chrono::seconds kBegin{20};
 constexpr std::chrono::milliseconds kLook{20};
+/// Recordings that are played at once; one more, and the one that was asked for first goes.
+constexpr std::size_t kMostReplays = 8;
 
 /// A member that is a number, or a text that `tacit run` takes in its place, as it is to be typed.
 std::string typed(const json& object, const char* name) {
@@ -67,8 +70,13 @@ Response begin_run(Api& api, const std::string& body) {
   const fs::path map = map_file(api, object);
   const std::string seed = typed(object, "seed");
   const std::string id = new_id(api, what, seed);
-  std::vector<std::string> words{tacit_program(api), "run",   what.string(),
-                                 "--quiet",          "--out", (api.runs.folder() / id).string()};
+  std::vector<std::string> words{tacit_program(api),
+                                 "run",
+                                 what.string(),
+                                 "--quiet",
+                                 "--record",
+                                 "--out",
+                                 (api.runs.folder() / id).string()};
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };
@@ -131,6 +139,50 @@ Response end_run(Api& api, const std::string& id) {
   return gateway::json(R"({"text":"The run was told to end."})");
 }
 
+std::string replay_id(const std::string& run) { return "replay-" + run; }
+
+void close_replay(Api& api, const std::string& run) {
+  std::unique_ptr<Replay> closed;
+  {
+    const std::lock_guard lock(api.mutex);
+    const auto at = std::find_if(api.replays.begin(), api.replays.end(),
+                                 [&](const auto& one) { return one.first == run; });
+    if (at == api.replays.end()) return;
+    closed = std::move(at->second);
+    api.replays.erase(at);
+  }
+  closed.reset();
+  api.server.close_session(replay_id(run));
+}
+
+Response begin_replay(Api& api, const std::string& body) {
+  const std::string run = text_member(object_of(body, {"run"}), "run");
+  const fs::path file = api.runs.open(run).path() / "run.mcap";
+  if (!fs::exists(file)) {
+    throw ConfigError("the run " + run + " has no recording, wanted one made with --record");
+  }
+  close_replay(api, run);
+  std::string oldest;
+  {
+    const std::lock_guard lock(api.mutex);
+    if (api.replays.size() >= kMostReplays) oldest = api.replays.front().first;
+  }
+  if (!oldest.empty()) close_replay(api, oldest);
+  const std::string id = replay_id(run);
+  try {
+    auto replay =
+        std::make_unique<Replay>(api.server.open_session(id, "Tacit replay of " + run), file);
+    const std::lock_guard lock(api.mutex);
+    api.replays.emplace_back(run, std::move(replay));
+  } catch (const McapError& error) {
+    api.server.close_session(id);
+    throw ConfigError(error.what());
+  }
+  Response response = gateway::json(json{{"id", id}}.dump());
+  response.status = 201;
+  return response;
+}
+
 }  // namespace
 
 void add_run_routes(Api& api) {
@@ -153,6 +205,12 @@ void add_run_routes(Api& api) {
         [](Api& a, const Request& request) { return begin_run(a, request.body); });
   later(Method::Delete, "/api/runs/{id}", [](Api& a, const Request& request) {
     return end_run(a, std::string(request.parameter("id")));
+  });
+  later(Method::Post, "/api/replays",
+        [](Api& a, const Request& request) { return begin_replay(a, request.body); });
+  later(Method::Delete, "/api/replays/{run}", [](Api& a, const Request& request) {
+    close_replay(a, std::string(request.parameter("run")));
+    return gateway::json(R"({"text":"Closed."})");
   });
 }
 

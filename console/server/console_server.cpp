@@ -32,6 +32,7 @@ class ConsoleServer::Impl {
     api_.live.reset();
     api_.worker.reset();
     api_.wizard.reset();
+    api_.replays.clear();
     api_.previews.clear();
     api_.run_jobs.clear();
     std::error_code error;

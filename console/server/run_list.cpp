@@ -43,6 +43,7 @@ Json summary(const std::string& id, const RunDirectory& directory) {
           {"learner", facts.learner},
           {"strategy", facts.strategy},
           {"version", facts.version},
+          {"recording", fs::exists(directory.path() / "run.mcap")},
           {"score", nullptr}};
 }
 

@@ -29,7 +29,7 @@ class RunList {
   [[nodiscard]] std::vector<std::string> live_ids() const;
 
   /// A JSON array, the newest first: `id`, `name`, `scenario`, `seed`, `state` ("live", "done",
-  /// "stopped", "failed"), `started`, `ticks`, `robots` and `score`.
+  /// "stopped", "failed"), `started`, `ticks`, `robots`, `recording` and `score`.
   [[nodiscard]] std::string to_json() const;
   /// One of them, with `metrics`, and `checklist` when that was given as JSON.
   [[nodiscard]] std::string to_json(const std::string& id, const std::string& checklist) const;

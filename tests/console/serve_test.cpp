@@ -179,6 +179,41 @@ TEST_F(Serve, ShowsARunThatGoesOnAndTakesTheOperatorsWord) {
   EXPECT_EQ(got("/api/runs/" + run + "/scene")["target"]["x"], 100.0);
 }
 
+TEST_F(Serve, PlaysARecordingThatCanBeMovedInTime) {
+  const std::string run =
+      begun({{"scenario", "guard"}, {"robots", 2}, {"speed", 20}, {"duration", 60}});
+  ASSERT_TRUE(becomes_true([&] { return state(run) == "done"; }));
+  EXPECT_EQ(got("/api/runs")[0]["recording"], true);
+  const std::string id = asked("POST", "/api/replays", {{"run", run}}, 201).value("id", "");
+  Socket socket(port_, "/ws/" + id);
+  std::map<std::string, std::uint32_t> channels;
+  std::map<std::string, std::uint32_t> services;
+  while (!channels.contains("/tacit/world_view") || !services.contains("seek")) {
+    const Socket::Message message = socket.next();
+    if (message.binary) continue;
+    const json said = message.json();
+    for (const json& one : said.value("channels", json::array()))
+      channels[one["topic"]] = one["id"];
+    for (const json& one : said.value("services", json::array())) services[one["name"]] = one["id"];
+  }
+  subscribe(socket, channels.at("/tacit/world_view"));
+  EXPECT_LT(next_word<WorldView>(socket).time_s, 2.0);
+  socket.say_binary(gateway::service_request(services.at("seek"), 1, R"({"time_s":30})"));
+  double time_s = 0.0;
+  for (int i = 0; i < 10 && time_s < 28.0; ++i) time_s = next_word<WorldView>(socket).time_s;
+  EXPECT_NEAR(time_s, 30.0, 1.5);
+  socket.say_binary(gateway::service_request(services.at("speed"), 2, R"({"factor":10})"));
+  socket.say_binary(gateway::service_request(services.at("resume"), 3, "{}"));
+  for (int i = 0; i < 200 && time_s < 32.0; ++i) time_s = next_word<WorldView>(socket).time_s;
+  EXPECT_GE(time_s, 32.0);
+  socket.say_binary(gateway::service_request(services.at("seek"), 4, R"({"time_s":-1})"));
+  EXPECT_NE(socket.next("serviceCallFailure")["message"].get<std::string>().find("wanted 0"),
+            std::string::npos);
+  (void)asked("DELETE", "/api/replays/" + run, json::object(), 200);
+  EXPECT_EQ(socket.close_code(), 1001);
+  (void)asked("POST", "/api/replays", {{"run", "nothing"}}, 422);
+}
+
 TEST_F(Serve, FindsRunsThatOthersStarted) {
   Running run(tacit_words({"run", "guard", "--robots", "2", "--speed", "5", "--quiet", "--out",
                            (scratch_ / "runs" / "mine").string(), "--store",
