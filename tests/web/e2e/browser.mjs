@@ -17,7 +17,7 @@ export async function open_browser({ width = 1440, height = 900 } = {}) {
       '--disable-background-networking', '--disable-component-update', '--disable-sync',
     ],
   });
-  context.setDefaultTimeout(15_000);
+  context.setDefaultTimeout(25_000);
   return {
     context,
     close: async () => {

@@ -99,7 +99,7 @@ export function detail({ operation, ...run }) {
 }
 
 const kWords = {
-  biohazard: 'BiohazardTask', eod: 'EODTask', waypoint: 'WaypointTask', hostage: 'HostageTask',
+  biohazard: 'BiohazardTask', eod: 'EODTask', waypoint: 'WaypointsTask', hostage: 'HostageMonitoringTask',
   rescue: 'SearchAndRescueTask',
 };
 
@@ -114,7 +114,7 @@ export function plans(tasks) {
         { feature: 'NumberOfRobots', wanted: '2', found: misses > 0 ? '1' : '2', matches: misses === 0 },
         { feature: 'Localization', wanted: '', found: 'UseMaps', matches: true },
         { feature: 'Environment', wanted: 'Indoor', found: 'Indoor', matches: true },
-        { feature: 'EnemyConsideration', wanted: 'NoEnemy', found: misses > 1 ? 'Enemy' : 'NoEnemy', matches: misses < 2 },
+        { feature: 'HandlesEnemy', wanted: 'False', found: misses > 1 ? 'True' : 'False', matches: misses < 2 },
       ],
     }));
   const changes = [

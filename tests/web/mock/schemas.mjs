@@ -61,7 +61,9 @@ export function schema_of(name) {
   return [body_of(root), ...more].join('\n');
 }
 
+const writers = new Map();
+
 export function writer_of(name) {
-  const writer = new MessageWriter(parse(schema_of(name), { ros2: true }));
-  return (value) => writer.writeMessage(value);
+  if (!writers.has(name)) writers.set(name, new MessageWriter(parse(schema_of(name), { ros2: true })));
+  return (value) => writers.get(name).writeMessage(value);
 }

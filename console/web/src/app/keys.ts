@@ -40,7 +40,9 @@ export const kPlanKeys: Shortcut[] = [
 function is_taken(event: KeyboardEvent): boolean {
   const target = event.target;
   if (!(target instanceof Element)) return false;
-  if (target.closest('dialog')) return true;
+  const dialog = target.closest('dialog');
+  // A dialog that was just closed may have the focus still.
+  if (dialog) return dialog.open;
   if (target.closest('input, select, textarea, [contenteditable]')) {
     return !(target instanceof HTMLInputElement && target.type === 'checkbox' && event.key !== ' ');
   }

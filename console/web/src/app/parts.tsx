@@ -30,7 +30,7 @@ export function Trouble({ text, again }: { text: string; again?: () => void }) {
 export function Nothing({ title, children }: { title: string; children?: ReactNode }) {
   return (
     <div className="state nothing">
-      <p className="nothing-title">{title}</p>
+      <h1 className="nothing-title">{title}</h1>
       {children}
     </div>
   );

@@ -72,11 +72,12 @@ export const MapView = forwardRef<MapHandle, MapProps>(function MapView(props, h
     const watch = new ResizeObserver(() => {
       const { clientWidth, clientHeight } = element;
       const ratio = window.devicePixelRatio || 1;
-      canvas.current!.width = clientWidth * ratio;
-      canvas.current!.height = clientHeight * ratio;
+      if (!canvas.current) return;
+      canvas.current.width = clientWidth * ratio;
+      canvas.current.height = clientHeight * ratio;
       const first = camera.width_px === 1;
       camera.resize(clientWidth, clientHeight);
-      if (first) fit();
+      if (first || camera.is_fitted) fit();
     });
     watch.observe(element);
     const wheel = (event: WheelEvent) => {

@@ -18,6 +18,8 @@ export class Camera {
   y_m = 0;
   width_px = 1;
   height_px = 1;
+  /** Nobody has moved it since it was fitted. */
+  is_fitted = false;
   #version = 0;
   #listeners = new Set<() => void>();
 
@@ -42,12 +44,14 @@ export class Camera {
   }
 
   pan(x_px: number, y_px: number): void {
+    this.is_fitted = false;
     this.x_m -= x_px / this.px_per_m;
     this.y_m += y_px / this.px_per_m;
     this.#changed();
   }
 
   look_at(x_m: number, y_m: number): void {
+    this.is_fitted = false;
     this.x_m = x_m;
     this.y_m = y_m;
     this.#changed();
@@ -55,6 +59,7 @@ export class Camera {
 
   /** What is under the place stays there. */
   zoom(factor: number, x_px = this.width_px / 2, y_px = this.height_px / 2): void {
+    this.is_fitted = false;
     const [x_m, y_m] = this.to_world(x_px, y_px);
     this.px_per_m = Math.min(Math.max(this.px_per_m * factor, kLeast_px_per_m), kMost_px_per_m);
     const [new_x_m, new_y_m] = this.to_world(x_px, y_px);
@@ -70,6 +75,7 @@ export class Camera {
     this.px_per_m = Math.min(room(this.width_px) / width_m, room(this.height_px) / height_m);
     this.x_m = (box.left + box.right) / 2;
     this.y_m = (box.bottom + box.top) / 2;
+    this.is_fitted = true;
     this.#changed();
   }
 

@@ -95,7 +95,7 @@ export function Controls(props: { live: LiveRun; controls: RunControls; run: Run
       <dl className="facts">
         <Fact name="Time" value={clock(live.view?.time_s ?? 0)} />
         <Fact name="Tick" value={status ? `${live.view?.tick ?? status.tick} of ${status.last_tick}` : '–'} />
-        <Fact name="Real-time factor" value={paused ? '–' : `${live.real_time_factor.toFixed(2)} ×`} />
+        <Fact name="Real-time factor" value={paused || live.real_time_factor === 0 ? '–' : `${live.real_time_factor.toFixed(2)} ×`} />
         <Fact name="Robots" value={status ? `${status.present} of ${status.robots}` : '–'} />
         {live.over && (
           <a className="button" href={address_of('results', run.id)}>

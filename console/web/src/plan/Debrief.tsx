@@ -84,7 +84,7 @@ function Rate({ detail }: { detail: RunDetail }) {
           onChange={(event) => set_score(event.target.valueAsNumber)}
         />
         <span className="hint">
-          It stands at what the debrief says. {failures.length} failures go with it.
+          It stands at what the debrief says. {failures.length === 1 ? '1 failure goes' : `${failures.length} failures go`} with it.
         </span>
       </label>
       <button type="button" onClick={send}>

@@ -97,7 +97,7 @@ function Palette({ tool, set_tool }: { tool: TaskKind | null; set_tool: (tool: T
   return (
     <div className="palette" role="group" aria-label="Task to place on the map">
       <button type="button" aria-pressed={tool === null} onClick={() => set_tool(null)}>
-        <span aria-hidden="true">⌖</span> Select
+        <span aria-hidden="true">↖</span> Select
       </button>
       {kTasks.map(({ kind, name, letter, help }) => (
         <button

@@ -105,7 +105,7 @@ function Outcome({ preview }: { preview: Preview }) {
           <dd>{success ? percent(success.share) : '–'}</dd>
         </div>
         <div>
-          <dt>95 % interval</dt>
+          <dt>Interval</dt>
           <dd>{success ? `${percent(success.low)} to ${percent(success.high)}` : '–'}</dd>
         </div>
         <div>

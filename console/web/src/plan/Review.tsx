@@ -55,7 +55,6 @@ export function Review() {
         <h1>Choose a plan</h1>
         {answer.notes.map((note) => (
           <p key={note} className="note">
-            <span aria-hidden="true">ⓘ </span>
             {note}
           </p>
         ))}

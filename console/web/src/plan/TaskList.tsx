@@ -70,7 +70,7 @@ function Item(props: {
         </button>
         <button type="button" className="quiet" aria-label={`Duplicate ${title}`}
           onClick={() => set((now) => change.duplicate(now, task.id))}>
-          ⧉
+          ❐
         </button>
         <button type="button" className="quiet" aria-label={`Delete ${title}`}
           onClick={() => {

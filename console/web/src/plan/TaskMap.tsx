@@ -90,40 +90,41 @@ function TaskPin(props: Props & { camera: Camera; task: DraftTask; number: numbe
   };
   const pressed = (event: KeyboardEvent) => act_on_key(event, task, set, select);
   return (
-    <g
-      className={`pin ${task.task} ${level} ${ghost ? 'ghost' : ''}`}
-      transform={`translate(${x} ${y})`}
-      role="button"
-      tabIndex={0}
-      data-own-pointer=""
-      data-task={task.id}
-      aria-pressed={task.id === selected}
-      aria-label={`Task ${number}, ${name_of(task.task)}, at ${task.x}, ${task.y} metres${level ? `, ${level}` : ''}`}
-      onFocus={() => select(task.id)}
-      onKeyDown={pressed}
-      onPointerDown={(event) => {
-        event.currentTarget.setPointerCapture(event.pointerId);
-        from.current = local(event);
-        select(task.id);
-      }}
-      onPointerMove={(event) => {
-        const start = from.current;
-        if (!start) return;
-        const now = local(event);
-        if (ghost || Math.hypot(now[0] - start[0], now[1] - start[1]) > 3) set_ghost(now);
-      }}
-      onPointerUp={let_go}
-      onPointerCancel={() => {
-        from.current = null;
-        set_ghost(null);
-      }}
-    >
-      <circle className="halo" r="19" />
-      <circle className="body" r="14" />
-      <text className="pin-letter" y="5" textAnchor="middle">
+    <g className="pin-place" transform={`translate(${x} ${y})`}>
+      <g
+        className={`pin ${task.task} ${level} ${ghost ? 'ghost' : ''}`}
+        role="button"
+        tabIndex={0}
+        data-own-pointer=""
+        data-task={task.id}
+        aria-pressed={task.id === selected}
+        aria-label={`Task ${number}, ${name_of(task.task)}, at ${task.x}, ${task.y} metres${level ? `, ${level}` : ''}`}
+        onFocus={() => select(task.id)}
+        onKeyDown={pressed}
+        onPointerDown={(event) => {
+          event.currentTarget.setPointerCapture(event.pointerId);
+          from.current = local(event);
+          select(task.id);
+        }}
+        onPointerMove={(event) => {
+          const start = from.current;
+          if (!start) return;
+          const now = local(event);
+          if (ghost || Math.hypot(now[0] - start[0], now[1] - start[1]) > 3) set_ghost(now);
+        }}
+        onPointerUp={let_go}
+        onPointerCancel={() => {
+          from.current = null;
+          set_ghost(null);
+        }}
+      >
+        <circle className="halo" r="19" />
+        <circle className="body" r="14" />
+      </g>
+      <text className="pin-letter" aria-hidden="true" y="5" textAnchor="middle">
         {kTasks.find((one) => one.kind === task.task)?.letter}
       </text>
-      <text className="pin-number" x="14" y="-10">
+      <text className="pin-number" aria-hidden="true" x="14" y="-10">
         {number}
         {level && (level === 'error' ? ' ✕' : ' ⚠')}
       </text>
