@@ -36,7 +36,11 @@ struct Api {
   std::unique_ptr<WizardDesk> wizard;
   /// Started here; a run lives on when the console goes.
   std::map<std::string, std::shared_ptr<Job>> run_jobs;
-  std::map<std::string, std::shared_ptr<Job>> previews;
+  struct Preview {
+    std::shared_ptr<Job> job;
+    int flights = 0;
+  };
+  std::map<std::string, Preview> previews;
   std::map<std::string, std::string> checklists;  ///< Of runs that are over, by id.
   /// By the run's id; those that were asked for last.
   std::vector<std::pair<std::string, std::unique_ptr<Replay>>> replays;

@@ -71,12 +71,16 @@ WizardClient::What outcome_question(Api&, const std::string& body) {
 }
 
 WizardClient::What mission_question(Api&, const std::string& body) {
-  const json object = object_of(body, {"mission", "title", "request"});
-  if (!object.contains("request")) {
-    throw ConfigError("found no request, wanted the one that the mission was planned for");
+  const json object = object_of(body, {"mission", "title", "request", "features"});
+  StoreMission store{text_member(object, "mission"), text_member(object, "title"), {}};
+  if (object.contains("features") == object.contains("request")) {
+    throw ConfigError(
+        "wanted the request that the mission was planned for, or the features of its sub-missions");
   }
-  return StoreMission{text_member(object, "mission"), text_member(object, "title"),
-                      cbr::features_for(plan_request_from_json(object["request"].dump()))};
+  store.features = object.contains("request")
+                       ? cbr::features_for(plan_request_from_json(object["request"].dump()))
+                       : case_features_from_json(object["features"].dump());
+  return store;
 }
 
 Response begin_preview(Api& api, const std::string& body) {
@@ -103,16 +107,16 @@ Response begin_preview(Api& api, const std::string& body) {
   const std::string id = std::to_string(next_number(api));
   auto job = std::make_shared<Job>(words, api.scratch / ("preview-" + id), Job::Life::EndsWithUs);
   const std::lock_guard lock(api.mutex);
-  api.previews[id] = std::move(job);
+  api.previews[id] = {std::move(job), flights.get<int>()};
   Response response = gateway::json(json{{"id", id}, {"flights", flights}}.dump());
   response.status = 202;
   return response;
 }
 
-std::shared_ptr<Job> preview_of(Api& api, const Request& request) {
+Api::Preview preview_of(Api& api, const Request& request) {
   const std::lock_guard lock(api.mutex);
   const auto at = api.previews.find(std::string(request.parameter("id")));
-  return at == api.previews.end() ? nullptr : at->second;
+  return at == api.previews.end() ? Api::Preview() : at->second;
 }
 
 /// As the page draws an interval.
@@ -127,19 +131,33 @@ json number_of(const json& estimate) {
   return estimate.is_object() ? estimate.value("value", json()) : json();
 }
 
-Response preview_state(Job& job) {
+/// "Enter Library, in 3 of 20 flights: No robot of the team was there."
+std::string told(const json& weakness, int flown) {
+  return weakness.value("name", "") + ", in " + std::to_string(weakness.value("flights", 0)) +
+         " of " + std::to_string(flown) + " flights: " + weakness.value("evidence", "");
+}
+
+Response preview_state(const Api::Preview& preview) {
+  Job& job = *preview.job;
   if (job.running()) {
-    return gateway::json(json{{"state", "running"}, {"flown", nullptr}}.dump());
+    const json so_far{{"state", "running"},         {"flown", 0},
+                      {"flights", preview.flights}, {"success", nullptr},
+                      {"mean_score", nullptr},      {"median_time_s", nullptr},
+                      {"failures", json::array()}};
+    return gateway::json(so_far.dump());
   }
   json result = json::parse(job.out(), nullptr, false);
   // One that was told to end before it had begun.
   if (!result.is_object() && job.exit_code().value_or(0) >= 128) result = {{"cut_short", true}};
   if (!result.is_object()) return gateway::error(422, job.complaint());
+  const int flown = result.value("flown", 0);
   json failures = json::array();
-  for (const json& one : result.value("weaknesses", json::array())) failures.push_back(one);
+  for (const json& one : result.value("weaknesses", json::array())) {
+    failures.push_back(told(one, flown));
+  }
   const json answer{{"state", result.value("cut_short", false) ? "cancelled" : "done"},
-                    {"flown", result.value("flown", 0)},
-                    {"flights", result.value("wanted", 0)},
+                    {"flown", flown},
+                    {"flights", preview.flights},
                     {"alike", result.value("alike", false)},
                     {"success", interval(result.value("success", json()))},
                     {"mean_score", number_of(result.value("score", json()))},
@@ -155,11 +173,11 @@ void add_preview_routes(Api& api) {
                                   [&api, body = request.body] { return begin_preview(api, body); });
                    });
   api.server.route(Method::Get, "/api/previews/{id}", [&api](const Request& request) {
-    const std::shared_ptr<Job> job = preview_of(api, request);
-    return job ? preview_state(*job) : gateway::error(404, "there is no such preview");
+    const Api::Preview preview = preview_of(api, request);
+    return preview.job ? preview_state(preview) : gateway::error(404, "there is no such preview");
   });
   api.server.route(Method::Delete, "/api/previews/{id}", [&api](const Request& request) {
-    const std::shared_ptr<Job> job = preview_of(api, request);
+    const std::shared_ptr<Job> job = preview_of(api, request).job;
     if (!job) return gateway::error(404, "there is no such preview");
     job->interrupt();
     return gateway::json(R"({"text":"The preview was told to end."})");

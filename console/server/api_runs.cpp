@@ -81,7 +81,9 @@ Response begin_run(Api& api, const std::string& body) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };
   add("--map", map.string());
-  for (const char* name : {"robots", "learner", "strategy", "speed", "duration"}) {
+  const std::string speed = typed(object, "speed");
+  add("--speed", speed == "0" ? "max" : speed);
+  for (const char* name : {"robots", "learner", "strategy", "duration"}) {
     add((std::string("--") + name).c_str(), typed(object, name));
   }
   add("--seed", seed);

@@ -95,32 +95,61 @@ const json* given(const json& object, const char* key) {
   return at == object.end() || at->is_null() ? nullptr : &*at;
 }
 
+/// Also as cases have it: "UseMaps".
+Localization localization_from(const json& value, const std::string& where) {
+  const std::string text = word(value, where + ", localization");
+  if (text == "maps" || text == "UseMaps") return Localization::UseMaps;
+  if (text == "landmarks" || text == "UseLandmarks") return Localization::UseLandmarks;
+  refuse(where + ", localization", '"' + text + '"', "maps or landmarks");
+}
+
+/// Also as cases have it: "Indoor".
+Environment environment_from(const json& value, const std::string& where) {
+  const std::string text = word(value, where + ", environment");
+  if (text == "indoor" || text == "Indoor") return Environment::Indoor;
+  if (text == "outdoor" || text == "Outdoor") return Environment::Outdoor;
+  refuse(where + ", environment", '"' + text + '"', "indoor or outdoor");
+}
+
+Task kind_from(const json& object, const std::string& where) {
+  const json* kind = given(object, "task");
+  if (kind == nullptr) refuse(where, "no task", "biohazard, eod, waypoint, hostage or rescue");
+  try {
+    return cbr::task_called(word(*kind, where + ", task"));
+  } catch (const ConfigError& error) {
+    throw ConfigError(where + ": " + error.what());
+  }
+}
+
+CaseFeatures features_from(const json& object, const std::string& where) {
+  refuse_other_keys(object, where,
+                    {"task", "robots", "localization", "environment", "handles_enemy"});
+  CaseFeatures features = cbr::usual_features(kind_from(object, where));
+  if (const json* value = given(object, "robots")) features.robots = whole(*value, where);
+  if (const json* value = given(object, "localization")) {
+    features.localization = localization_from(*value, where);
+  }
+  if (const json* value = given(object, "environment")) {
+    features.environment = environment_from(*value, where);
+  }
+  if (const json* value = given(object, "handles_enemy")) {
+    features.handles_enemy = flag(*value, where + ", handles_enemy");
+  }
+  return features;
+}
+
 PlacedTask task_from(const json& object, const std::string& where) {
   refuse_other_keys(object, where,
                     {"task", "x", "y", "localization", "environment", "handles_enemy"});
   PlacedTask task;
-  const json* kind = given(object, "task");
-  if (kind == nullptr) refuse(where, "no task", "biohazard, eod, waypoint, hostage or rescue");
-  try {
-    task.task = cbr::task_called(word(*kind, where + ", task"));
-  } catch (const ConfigError& error) {
-    throw ConfigError(where + ": " + error.what());
-  }
+  task.task = kind_from(object, where);
   task.x_m = number(object, "x", where);
   task.y_m = number(object, "y", where);
   if (const json* value = given(object, "localization")) {
-    const std::string text = word(*value, where + ", localization");
-    if (text != "maps" && text != "landmarks") {
-      refuse(where + ", localization", '"' + text + '"', "maps or landmarks");
-    }
-    task.localization = text == "maps" ? Localization::UseMaps : Localization::UseLandmarks;
+    task.localization = localization_from(*value, where);
   }
   if (const json* value = given(object, "environment")) {
-    const std::string text = word(*value, where + ", environment");
-    if (text != "indoor" && text != "outdoor") {
-      refuse(where + ", environment", '"' + text + '"', "indoor or outdoor");
-    }
-    task.environment = text == "indoor" ? Environment::Indoor : Environment::Outdoor;
+    task.environment = environment_from(*value, where);
   }
   if (const json* value = given(object, "handles_enemy")) {
     task.handles_enemy = flag(*value, where + ", handles_enemy");
@@ -164,6 +193,16 @@ PlanRequest plan_request_from_json(std::string_view text) {
     request.top = static_cast<std::size_t>(top);
   }
   return request;
+}
+
+std::vector<CaseFeatures> case_features_from_json(std::string_view text) {
+  const json list = json::parse(text, nullptr, false);
+  if (!list.is_array()) refuse("features", "no list", "one");
+  std::vector<CaseFeatures> all;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    all.push_back(features_from(list[i], "features " + std::to_string(i + 1)));
+  }
+  return all;
 }
 
 }  // namespace tacit

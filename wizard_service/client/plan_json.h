@@ -20,4 +20,8 @@ namespace tacit {
 /// the wizard to say.
 [[nodiscard]] PlanRequest plan_request_from_json(std::string_view json);
 
+/// Features of sub-missions in order: a list of objects with `task`, `robots`, `localization`,
+/// `environment` and `handles_enemy`; what is left out is usual for the task. Throws as the other.
+[[nodiscard]] std::vector<CaseFeatures> case_features_from_json(std::string_view json);
+
 }  // namespace tacit

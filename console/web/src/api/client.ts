@@ -60,8 +60,8 @@ export const api = {
   scenarios: () => ask<{ name: string; description: string }[]>('GET', 'scenarios'),
   plan: (map_name: string, request: PlanRequest) =>
     ask<PlanAnswer>('POST', 'plans', { map_name, request }),
-  preview: (mission: string, map_name: string, flights: number) =>
-    ask<{ id: string }>('POST', 'previews', { mission, map_name, flights }),
+  preview: (mission: string, map_name: string, flights: number, extra: string) =>
+    ask<{ id: string }>('POST', 'previews', { mission, map_name, flights, ...(extra ? { extra } : {}) }),
   preview_state: (id: string) => ask<Preview>('GET', `previews/${at(id)}`),
   cancel_preview: (id: string) => ask<unknown>('DELETE', `previews/${at(id)}`),
   rate: (cases: number[], score: number, failures: string[], map: string) =>

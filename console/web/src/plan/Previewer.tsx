@@ -1,10 +1,12 @@
 import { useEffect, useState } from 'react';
 
 import { api, words_of } from '@/api/client';
+import { useAsked } from '@/api/use';
 import type { OfferedPlan, Preview } from '@/api/types';
 import { clock } from '@/app/numbers';
 import { Trouble } from '@/app/parts';
-import { useSession } from '@/plan/store';
+import { usual_extra } from '@/plan/extra';
+import { useDraft, useSession } from '@/plan/store';
 
 const kAskEvery_ms = 700;
 const kFlights = [5, 10, 30, 100];
@@ -12,6 +14,8 @@ const kFlights = [5, 10, 30, 100];
 /** Flies a plan a few times, faster than real time and with no robot harmed. */
 export function Previewer({ plan, map }: { plan: OfferedPlan; map: string }) {
   const { preview, set } = useSession();
+  const { preferences } = useDraft();
+  const scene = useAsked(() => api.map(map), `map ${map}`);
   const [flights, set_flights] = useState(10);
   const [id, set_id] = useState('');
   const [error, set_error] = useState('');
@@ -44,7 +48,7 @@ export function Previewer({ plan, map }: { plan: OfferedPlan; map: string }) {
     set_error('');
     set({ preview: null });
     try {
-      set_id((await api.preview(plan.mission, map, flights)).id);
+      set_id((await api.preview(plan.mission, map, flights, usual_extra(preferences.enemy, scene.value))).id);
     } catch (thrown) {
       set_error(words_of(thrown));
     }

@@ -7,6 +7,7 @@ import { Loading, Nothing, Trouble, TwiceButton } from '@/app/parts';
 import { LiveView } from '@/operate/LiveView';
 import { problems_of } from '@/plan/check';
 import { Debrief } from '@/plan/Debrief';
+import { usual_extra } from '@/plan/extra';
 import { is_planned, useDraft, useSession } from '@/plan/store';
 
 const kAskEvery_ms = 2000;
@@ -26,13 +27,17 @@ function PreFlight() {
   const draft = useDraft();
   const session = useSession();
   const scene = useAsked(() => api.map(draft.map), `map ${draft.map}`);
-  const [wish, set_wish] = useState({ seed: '', speed: '1' });
+  const missions = useAsked(api.missions, 'missions');
+  const [wish, set_wish] = useState<{ seed: string; speed: string; extra: string | null }>({
+    seed: '', speed: '4', extra: null,
+  });
   const [sure, set_sure] = useState(false);
   const [busy, set_busy] = useState(false);
   const [error, set_error] = useState('');
   const plan = session.answer?.plans[session.chosen];
   if (!plan || !is_planned(draft, session.planned)) return <Nothing title="Choose a plan first" />;
   const lines = lines_of(draft, scene.value, session.preview?.success?.share ?? null, plan.changes.filter((one) => !one.mended).length);
+  const extra = wish.extra ?? usual_extra(draft.preferences.enemy, scene.value);
   const doubts = lines.filter((line) => !line.good).length;
 
   const run = async () => {
@@ -41,6 +46,7 @@ function PreFlight() {
     const wanted: StartRun = { mission: plan.mission, map_name: draft.map, speed: Number(wish.speed) };
     if (draft.preferences.robots !== null) wanted.robots = draft.preferences.robots;
     if (wish.seed !== '') wanted.seed = Number(wish.seed);
+    if (extra !== '') wanted.extra = extra;
     try {
       session.set({ run: (await api.start(wanted)).id });
     } catch (thrown) {
@@ -69,6 +75,17 @@ function PreFlight() {
           Speed, × real time
           <input type="number" min="0" step="any" value={wish.speed}
             onChange={(event) => set_wish({ ...wish, speed: event.target.value })} />
+        </label>
+        <label>
+          Others about
+          <select value={extra} onChange={(event) => set_wish({ ...wish, extra: event.target.value })}>
+            <option value="">nobody</option>
+            {(missions.value ?? []).map((mission) => (
+              <option key={mission.name} value={mission.name}>
+                {mission.name}
+              </option>
+            ))}
+          </select>
         </label>
       </div>
       {doubts > 0 && (
