@@ -1,4 +1,4 @@
-import { useState } from 'react';
+import { useRef, useState } from 'react';
 
 import { words_of } from '@/api/client';
 import type { Run } from '@/api/types';
@@ -35,11 +35,18 @@ export function useControls(live: LiveRun): RunControls {
       return false;
     }
   };
+  // What was asked for last counts, not what was answered: keys come faster than answers.
+  const wanted = useRef(speed);
   const set_speed = async (factor: number) => {
-    if (await call('speed', { factor })) note_speed(factor);
+    const before = wanted.current;
+    wanted.current = factor;
+    note_speed(factor);
+    if (await call('speed', { factor })) return;
+    wanted.current = before;
+    note_speed(before);
   };
   const change = (by: number) => {
-    const next = kSpeeds[kSpeeds.indexOf(speed) + by];
+    const next = kSpeeds[kSpeeds.indexOf(wanted.current) + by];
     if (next !== undefined) void set_speed(next);
   };
   return {
