@@ -160,6 +160,8 @@ TEST_F(Serve, ShowsARunThatGoesOnAndTakesTheOperatorsWord) {
   EXPECT_TRUE(gets_into(socket, RunPhase::Running));
   socket.say_binary(gateway::service_request(known.services.at("pause"), 1, "{}"));
   EXPECT_TRUE(gets_into(socket, RunPhase::Paused));
+  // A tick that was under way is brought to its end.
+  (void)next_word<RunStatus>(socket);
   const Tick before = next_word<RunStatus>(socket).tick;
   socket.say_binary(gateway::service_request(known.services.at("step"), 2, R"({"ticks":5})"));
   bool stepped = false;
@@ -167,6 +169,7 @@ TEST_F(Serve, ShowsARunThatGoesOnAndTakesTheOperatorsWord) {
     stepped = next_word<RunStatus>(socket).tick == before + 5;
   }
   EXPECT_TRUE(stepped);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(next_word<RunStatus>(socket).tick, before + 5);
   socket.say_binary(gateway::service_request(known.services.at("speed"), 3, R"({"factor":-1})"));
   EXPECT_NE(socket.next("serviceCallFailure")["message"].get<std::string>().find("wanted"),
             std::string::npos);

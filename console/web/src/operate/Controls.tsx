@@ -64,6 +64,11 @@ export function useControls(live: LiveRun): RunControls {
   };
 }
 
+/** Views come more often while ticks go by, but the last tick before a pause is told by the status alone. */
+function newer(one: bigint, other: bigint): bigint {
+  return one > other ? one : other;
+}
+
 export function Controls(props: { live: LiveRun; controls: RunControls; run: Run }) {
   const { live, controls, run } = props;
   useNews(live);
@@ -101,7 +106,7 @@ export function Controls(props: { live: LiveRun; controls: RunControls; run: Run
       </div>
       <dl className="facts">
         <Fact name="Time" value={clock(live.view?.time_s ?? 0)} />
-        <Fact name="Tick" value={status ? `${live.view?.tick ?? status.tick} of ${status.last_tick}` : '–'} />
+        <Fact name="Tick" value={status ? `${newer(live.view?.tick ?? 0n, status.tick)} of ${status.last_tick}` : '–'} />
         <Fact name="Real-time factor" value={paused || live.real_time_factor === 0 ? '–' : `${live.real_time_factor.toFixed(2)} ×`} />
         <Fact name="Robots" value={status ? `${status.present} of ${status.robots}` : '–'} />
         {live.over && (
