@@ -114,8 +114,14 @@ test('a guard run is watched, paused, stepped, sped up and stopped', () =>
     await until(async () => (await tick()) > 10, 'ticks go by');
     await page.getByRole('button', { name: 'Pause' }).click();
     await page.getByRole('button', { name: 'Play' }).waitFor();
-    await page.waitForTimeout(500);
-    const before = await tick();
+    let before = -1;
+    await until(async () => {
+      const now = await tick();
+      const still = now === before;
+      before = now;
+      await page.waitForTimeout(400);
+      return still;
+    }, 'the ticks stand still');
     await page.getByRole('button', { name: 'Step' }).click();
     await until(async () => (await tick()) === before + 1, 'one step');
     await page.getByRole('button', { name: 'Play' }).click();
