@@ -2,7 +2,10 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
+#include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,6 +23,10 @@ namespace {
 using gateway::Channel;
 using gateway::ChannelId;
 using gateway::Keep;
+using Clock = std::chrono::steady_clock;
+
+/// A page that is loaded anew is away for a moment.
+constexpr std::chrono::seconds kUnwatched{5};
 
 Identity observer(const Venue& venue) {
   static std::atomic<std::uint32_t> count{0};
@@ -38,6 +45,14 @@ Channel channel_of(RobotId robot, Keep keep) {
 
 std::uint64_t in_ns(double time_s) { return static_cast<std::uint64_t>(time_s * 1e9); }
 
+/// What is read while somebody watches.
+struct Readers {
+  std::optional<RawSubscriber<topics::WorldView>> views;
+  std::optional<RawSubscriber<topics::Status>> status;
+  std::optional<RawSubscriber<topics::Events>> events;
+  std::vector<RawSubscriber<topics::Telemetry>> telemetry;
+};
+
 }  // namespace
 
 class LiveRun::Impl {
@@ -46,10 +61,13 @@ class LiveRun::Impl {
       : session_(std::move(session)),
         tick_s_(facts.tick_s),
         participant_(observer(facts.venue)),
-        controls_(participant_) {
-    listen_to_team();
+        controls_(participant_),
+        view_out_(session_->advertise(channel_of<topics::WorldView>({}, Keep::Latest))),
+        status_out_(session_->advertise(channel_of<topics::Status>({}, Keep::Latest))),
+        events_out_(session_->advertise(channel_of<topics::Events>({}, Keep::All))) {
     for (std::int64_t robot = 1; robot <= facts.robots; ++robot) {
-      listen_to({static_cast<std::uint16_t>(robot)});
+      telemetry_out_.push_back(session_->advertise(
+          channel_of<topics::Telemetry>({static_cast<std::uint16_t>(robot)}, Keep::Latest)));
     }
     add_operator_services(*session_, [this](const Control& control) { say(control); });
     session_->set_connection_graph(connection_graph(facts.robots));
@@ -60,35 +78,36 @@ class LiveRun::Impl {
     controls_.publish(control);
   }
 
-  [[nodiscard]] std::optional<RunStatus> status() const {
-    const std::lock_guard lock(status_mutex_);
-    return status_;
+  void look() {
+    const Clock::time_point now = Clock::now();
+    if (session_->clients() > 0) {
+      watched_ = now;
+      if (!readers_) read();
+    } else if (readers_ && now - watched_ > kUnwatched) {
+      readers_.reset();
+    }
   }
 
  private:
-  void listen_to_team() {
-    const ChannelId view = session_->advertise(channel_of<topics::WorldView>({}, Keep::Latest));
-    views_in_.emplace(participant_, RobotId{}, [this, view](RawSample& sample) {
+  void read() {
+    readers_ = std::make_unique<Readers>();
+    readers_->views.emplace(participant_, RobotId{}, [this](RawSample& sample) {
       hear_view(sample);
-      session_->publish(view, time_ns_, sample.bytes);
+      session_->publish(view_out_, time_ns_, sample.bytes);
     });
-    const ChannelId status = session_->advertise(channel_of<topics::Status>({}, Keep::Latest));
-    status_in_.emplace(participant_, RobotId{}, [this, status](RawSample& sample) {
+    readers_->status.emplace(participant_, RobotId{}, [this](RawSample& sample) {
       hear_status(sample);
-      session_->publish(status, time_ns_, sample.bytes);
+      session_->publish(status_out_, time_ns_, sample.bytes);
     });
-    const ChannelId events = session_->advertise(channel_of<topics::Events>({}, Keep::All));
-    events_in_.emplace(participant_, RobotId{}, [this, events](RawSample& sample) {
-      session_->publish(events, time_ns_, sample.bytes);
+    readers_->events.emplace(participant_, RobotId{}, [this](RawSample& sample) {
+      session_->publish(events_out_, time_ns_, sample.bytes);
     });
-  }
-
-  void listen_to(RobotId robot) {
-    const ChannelId telemetry =
-        session_->advertise(channel_of<topics::Telemetry>(robot, Keep::Latest));
-    telemetry_in_.emplace_back(participant_, robot, [this, telemetry](RawSample& sample) {
-      session_->publish(telemetry, time_ns_, sample.bytes);
-    });
+    for (std::size_t i = 0; i < telemetry_out_.size(); ++i) {
+      readers_->telemetry.emplace_back(participant_, RobotId{static_cast<std::uint16_t>(i + 1)},
+                                       [this, out = telemetry_out_[i]](RawSample& sample) {
+                                         session_->publish(out, time_ns_, sample.bytes);
+                                       });
+    }
   }
 
   void hear_view(const RawSample& sample) {
@@ -97,10 +116,7 @@ class LiveRun::Impl {
 
   void hear_status(const RawSample& sample) {
     RunStatus status;
-    if (from_cdr(sample.bytes, status)) return;
-    move_time(static_cast<double>(status.tick) * tick_s_);
-    const std::lock_guard lock(status_mutex_);
-    status_ = status;
+    if (!from_cdr(sample.bytes, status)) move_time(static_cast<double>(status.tick) * tick_s_);
   }
 
   /// Topics come on threads of their own, and none may turn the clock back.
@@ -116,27 +132,22 @@ class LiveRun::Impl {
   const double tick_s_;
   std::atomic<std::uint64_t> time_ns_{0};
   WorldView view_;  ///< For the thread of that topic.
-  mutable std::mutex status_mutex_;
-  std::optional<RunStatus> status_;
   Participant participant_;
   std::mutex controls_mutex_;
   Publisher<topics::Control> controls_;
-  std::optional<RawSubscriber<topics::WorldView>> views_in_;
-  std::optional<RawSubscriber<topics::Status>> status_in_;
-  std::optional<RawSubscriber<topics::Events>> events_in_;
-  std::vector<RawSubscriber<topics::Telemetry>> telemetry_in_;
+  const ChannelId view_out_;
+  const ChannelId status_out_;
+  const ChannelId events_out_;
+  std::vector<ChannelId> telemetry_out_;  ///< By robot.
+  Clock::time_point watched_;
+  std::unique_ptr<Readers> readers_;  ///< Goes first.
 };
 
 LiveRun::LiveRun(std::shared_ptr<gateway::Session> session, const LiveRunFacts& facts)
     : impl_(std::make_unique<Impl>(std::move(session), facts)) {}
 LiveRun::~LiveRun() = default;
 
-std::optional<RunStatus> LiveRun::status() const { return impl_->status(); }
-
-bool LiveRun::over() const {
-  const std::optional<RunStatus> now = status();
-  return now && (now->phase == RunPhase::Ended || now->phase == RunPhase::Stopped);
-}
+void LiveRun::look() { impl_->look(); }
 
 void LiveRun::say(const Control& control) { impl_->say(control); }
 

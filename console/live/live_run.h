@@ -1,10 +1,7 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
 
 #include "console/gateway/session.h"
@@ -23,7 +20,8 @@ struct LiveRunFacts {
 /// A run as a session of the gateway: its topics for people as channels, byte for byte, and what an
 /// operator can say to it as services.
 ///
-/// Only reads what is there for people, and writes Control; leaving changes nothing for the run.
+/// Only reads what is there for people, and writes Control; leaving changes nothing for the run. It
+/// reads while somebody watches and for a while after: a reader costs the run's own processes time.
 class LiveRun {
  public:
   /// Throws BusError.
@@ -32,10 +30,9 @@ class LiveRun {
   LiveRun(const LiveRun&) = delete;
   LiveRun& operator=(const LiveRun&) = delete;
 
-  /// The newest; none before the world has told one. From any thread.
-  [[nodiscard]] std::optional<RunStatus> status() const;
-  /// Whether the world has said that the run ended or was stopped. From any thread.
-  [[nodiscard]] bool over() const;
+  /// Begins to read when the session has clients, and ends when it has had none for some seconds.
+  /// To be called a few times a second, by one thread. Throws BusError.
+  void look();
   /// Says it to the world server. From any thread.
   void say(const Control& control);
 

@@ -69,7 +69,25 @@ void LiveRuns::look() {
     for (const std::string& id : closed) entries_.erase(id);
   }
   for (const std::string& id : closed) server_.close_session(id);
+  look_at_sessions();
   for (const std::string& id : live) open(id);
+}
+
+void LiveRuns::look_at_sessions() {
+  std::vector<std::shared_ptr<LiveRun>> runs;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [id, entry] : entries_) {
+      if (entry.run) runs.push_back(entry.run);
+    }
+  }
+  for (const std::shared_ptr<LiveRun>& run : runs) {
+    try {
+      run->look();
+    } catch (const std::exception& error) {
+      spdlog::warn("a run cannot be watched: {}", error.what());
+    }
+  }
 }
 
 /// A run that cannot be watched yet is looked for again.

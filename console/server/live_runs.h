@@ -18,7 +18,7 @@ namespace tacit {
 /// stays for a while after its run has ended, so that its last state can be looked at.
 class LiveRuns {
  public:
-  static constexpr std::chrono::milliseconds kLook{200};
+  static constexpr std::chrono::milliseconds kLook{100};
   static constexpr std::chrono::seconds kAfterwards{600};
 
   /// Borrows both.
@@ -41,6 +41,7 @@ class LiveRuns {
 
   void run();
   void look();
+  void look_at_sessions();
   void open(const std::string& id);
 
   gateway::Server& server_;
