@@ -20,6 +20,7 @@ void add_mission(CLI::App& app, Exit& ending);
 void add_cases(CLI::App& app, Exit& ending);
 void add_map(CLI::App& app, Exit& ending);
 void add_scene(CLI::App& app, Exit& ending);
+void add_watch(CLI::App& app, Exit& ending);
 void add_operate(CLI::App& app, Exit& ending);
 void add_preview(CLI::App& app, Exit& ending);
 void add_replay(CLI::App& app, Exit& ending);

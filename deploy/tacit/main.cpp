@@ -44,6 +44,7 @@ Exit command_line(int argc, char** argv) {
   add_scenarios(app, ending);
   add_preview(app, ending);
   add_scene(app, ending);
+  add_watch(app, ending);
   add_operate(app, ending);
   add_replay(app, ending);
   add_verify(app, ending);
