@@ -8,5 +8,6 @@ if (!existsSync(new URL('../../../console/web/dist/index.html', import.meta.url)
 await import('./operate.e2e.mjs');
 await import('./plan.e2e.mjs');
 await import('./results.e2e.mjs');
+await import('./replay.e2e.mjs');
 await import('./states.e2e.mjs');
 await import('./load.e2e.mjs');

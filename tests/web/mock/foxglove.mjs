@@ -24,18 +24,19 @@ export function attach_sockets(http, world_called) {
 
 class Session {
   constructor(ws, world) {
-    Object.assign(this, { ws, world, subscriptions: new Map(), channels: new Map() });
+    Object.assign(this, { ws, world, subscriptions: new Map(), channels: new Map(), followed: false });
+    this.services = world.services ?? kServices;
     this.say({
       op: 'serverInfo',
       name: 'tacit',
-      capabilities: ['services', 'time'],
+      capabilities: ['services', 'time', 'parameters', 'parametersSubscribe'],
       supportedEncodings: ['json'],
       sessionId: world.id,
     });
     this.advertise();
     this.say({
       op: 'advertiseServices',
-      services: kServices.map((name, i) => ({
+      services: this.services.map((name, i) => ({
         id: i + 1,
         name,
         type: `tacit/${name}`,
@@ -43,7 +44,7 @@ class Session {
         responseSchema: '{"type":"object"}',
       })),
     });
-    const leave = world.listen((topic, value, time_s) => this.send(topic, value, time_s));
+    const leave = world.listen((topic, value, time_s) => this.hear(topic, value, time_s));
     ws.on('close', leave);
     ws.on('message', (data, binary) => (binary ? this.service(data) : this.text(JSON.parse(data))));
   }
@@ -70,9 +71,12 @@ class Session {
   }
 
   text(message) {
+    if (message.op === 'subscribeParameterUpdates') this.followed = true;
+    if (message.op === 'getParameters') this.parameters();
     if (message.op === 'subscribe') {
       for (const { id, channelId } of message.subscriptions) {
         this.subscriptions.set(channelId, id);
+        this.latest(channelId);
         if (this.channels.get('/tacit/events')?.id === channelId) this.catch_up();
       }
     }
@@ -83,7 +87,33 @@ class Session {
     }
   }
 
+  hear(topic, value, time_s) {
+    if (topic === 'time') this.time(time_s);
+    else if (topic === 'parameter') this.followed && this.parameters();
+    else this.send(topic, value, time_s);
+  }
+
+  parameters() {
+    const { replay } = this.world;
+    if (replay) this.say({ op: 'parameterValues', parameters: [{ name: 'replay', value: replay }] });
+  }
+
+  latest(channel) {
+    const topic = [...this.channels].find(([, { id }]) => id === channel)?.[0];
+    const one = this.world.latest?.(topic);
+    if (one) this.send(topic, one.value, one.time_s);
+  }
+
+  time(time_s) {
+    if (this.ws.readyState !== 1) return;
+    const head = Buffer.alloc(9);
+    head.writeUInt8(2, 0);
+    head.writeBigUInt64LE(BigInt(Math.round(time_s * 1e9)), 1);
+    this.ws.send(head);
+  }
+
   catch_up() {
+    if (this.world.log.length === 0) return;
     this.send('/tacit/events', { first: 0n, events: this.world.log.slice(0, 256) }, 0);
   }
 
@@ -92,7 +122,7 @@ class Session {
     const call = data.readUInt32LE(5);
     const length = data.readUInt32LE(9);
     const request = JSON.parse(data.subarray(13 + length).toString() || '{}');
-    const refusal = this.world.control(kServices[id - 1], request);
+    const refusal = this.world.control(this.services[id - 1], request);
     if (refusal) {
       return this.say({ op: 'serviceCallFailure', serviceId: id, callId: call, message: refusal });
     }

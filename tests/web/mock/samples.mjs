@@ -74,7 +74,7 @@ export function finished_runs() {
     started: new Date(Date.UTC(2026, 2, 1, 20, 0) - i * 5_400_000).toISOString(),
     ticks: 3000 + 911 * i,
     score: i % 5 > 2 ? { done: 5 + (i % 4), wanted: 9 } : null,
-    operation: i % 5 > 2,
+    operation: i % 5 > 2, recording: i % 2 === 0,
   }));
 }
 

@@ -4,6 +4,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { attach_sockets } from './foxglove.mjs';
+import { Recording } from './recording.mjs';
 import { World } from './world.mjs';
 import * as samples from './samples.mjs';
 
@@ -24,7 +25,7 @@ class Refusal extends Error {
 
 export async function start_mock({ port = 0, robots = 6, empty = false, failing = false } = {}) {
   const state = {
-    runs: [], worlds: new Map(), previews: new Map(), outcomes: [], cases: [], plans_asked: [],
+    runs: [], worlds: new Map(), replays_closed: [], previews: new Map(), outcomes: [], cases: [], plans_asked: [],
     started: [], empty, failing, refuse_sockets: false,
   };
   if (!empty) {
@@ -58,7 +59,7 @@ function add_live(state, id, { robots = 6, scenario = 'forage', name = '', opera
   state.runs.unshift({
     id, name: name || `${scenario}-${id}`, scenario, seed: 7, state: 'live',
     started: '2026-03-02T09:30:00Z', get ticks() { return world.tick; }, robots, score: null,
-    operation,
+    operation, recording: true,
   });
 }
 
@@ -84,6 +85,8 @@ const route_table = [
   ['GET', /^\/api\/runs\/([^/]+)$/, (s, [id]) => [200, samples.detail(run_called(s, id))]],
   ['DELETE', /^\/api\/runs\/([^/]+)$/, (s, [id]) => stop_run(s, id)],
   ['GET', /^\/api\/runs\/([^/]+)\/scene$/, (s, [id]) => [200, run_called(s, id).operation ? samples.office : samples.field]],
+  ['POST', /^\/api\/replays$/, (s, _, { run }) => open_replay(s, run)],
+  ['DELETE', /^\/api\/replays\/([^/]+)$/, (s, [run]) => close_replay(s, run)],
   ['GET', /^\/api\/maps$/, (s) => [200, s.empty ? [] : samples.maps]],
   ['GET', /^\/api\/maps\/([^/]+)$/, (_, [name]) => scene_called(name)],
   ['GET', /^\/api\/missions$/, (s) => [200, s.empty ? [] : samples.missions]],
@@ -146,6 +149,26 @@ function stop_run(state, id) {
   const world = state.worlds.get(id);
   if (world) world.phase = 'stopped';
   return [200, {}];
+}
+
+const kRecorded_ticks = 1200;
+
+function open_replay(state, run) {
+  const { robots, operation, recording } = run_called(state, run);
+  if (!recording) throw new Refusal(422, `the run ${run} has no recording, wanted one made with --record`);
+  const id = `replay-${run}`;
+  const centre = operation ? [samples.office.width_m / 2, samples.office.height_m / 2] : [30, 30];
+  const world = new World({ id, robots, roles: !operation, size_m: operation ? 20 : 60, centre });
+  state.worlds.get(id)?.end();
+  state.worlds.set(id, new Recording(id, world, kRecorded_ticks));
+  return [201, { id }];
+}
+
+function close_replay(state, run) {
+  state.worlds.get(`replay-${run}`)?.end();
+  state.worlds.delete(`replay-${run}`);
+  state.replays_closed.push(run);
+  return [200, { text: 'Closed.' }];
 }
 
 function scene_called(name) {

@@ -10,7 +10,7 @@ const kSituations = [
 ];
 const kSchemas = ['MoveToTarget', 'InterceptEnemies', 'AvoidSoldiers', 'AvoidObstacles', 'Noise'];
 const kKinds = { created: 0, intercepted: 1, collision: 3, taken: 10, stored: 12, disabled: 13,
-  revived: 14, over: 15, begun: 16, entered: 23, ended: 8 };
+  revived: 14, over: 15, begun: 16, entered: 23, ended: 8, checkpoint: 7 };
 const kPhases = ['gathering', 'running', 'paused', 'ended', 'stopped'];
 const kEvent = {
   x_m: 0, y_m: 0, distance_to_target_m: 0, mean_distance_to_target_m: 0, mean_speed_mps: 0,
@@ -60,6 +60,23 @@ export class World {
     return () => this.listeners.delete(listener);
   }
 
+  /** All that it says in so many ticks, at once. */
+  record(ticks) {
+    const said = [];
+    const leave = this.listen((topic, value, time_s) => said.push({ topic, value: structuredClone(value), time_s }));
+    this.end();
+    this.#send('/tacit/events', { first: 0n, events: [...this.log] });
+    for (this.beats = 0; this.beats < ticks; ++this.beats) {
+      this.#publish();
+      this.#step();
+    }
+    this.phase = 'ended';
+    this.beats = 4;
+    this.#publish();
+    leave();
+    return said;
+  }
+
   /** An empty answer, or why not. */
   control(service, request) {
     this.calls.push([service, request]);
@@ -105,6 +122,7 @@ export class World {
     if (this.tick % 120 === 20) this.#enemy_comes();
     if (this.tick % 120 === 110 && this.enemies.length > 3) this.#enemy_goes();
     if (this.tick % 200 === 150) this.#something_happens();
+    if (this.tick % 100 === 0) this.#tell('checkpoint', { number: this.enemies.length });
   }
 
   #move(robot) {

@@ -1,5 +1,5 @@
 import { kEventKinds, type Event } from '@/wire/words';
-import { matches } from '@/operate/EventsPanel';
+import { listed, matches, type EventFilter } from '@/operate/event_filter';
 import { group_of, kGroups, words_of_event } from '@/operate/words_of_event';
 
 function event(kind: (typeof kEventKinds)[number], more: Partial<Event> = {}): Event {
@@ -38,4 +38,11 @@ test('the filter looks at group, robot and words', () => {
   expect(matches(logged, ['mines'], null, '')).toBe(false);
   expect(matches(logged, kGroups, 5, '')).toBe(true);
   expect(matches(logged, kGroups, 4, '')).toBe(false);
+});
+
+test('checkpoints are told of runs that guard a target alone', () => {
+  const log = [event('created'), event('checkpoint')].map((one, index) => ({ index, event: one }));
+  const filter = { groups: kGroups, words: '', checkpoints: false } as unknown as EventFilter;
+  expect(listed(log, filter).map((one) => one.index)).toEqual([0]);
+  expect(listed(log, { ...filter, checkpoints: true })).toHaveLength(2);
 });

@@ -4,7 +4,7 @@ import { filtered, sorted } from '@/results/table';
 
 const run = (id: string, more: Partial<Run> = {}): Run => ({
   id, name: `guard ${id}`, scenario: 'guard', seed: 1, state: 'done', started: '2026-01-01T00:00:00Z',
-  ticks: 10, robots: 2, score: null, ...more,
+  ticks: 10, robots: 2, score: null, recording: false, ...more,
 });
 
 test('every word of the filter has to fit', () => {

@@ -13,11 +13,12 @@ export class Refused extends Error {
   }
 }
 
-async function ask<T>(method: string, path: string, body?: unknown): Promise<T> {
+async function ask<T>(method: string, path: string, body?: unknown, keepalive = false): Promise<T> {
   let response: Response;
   try {
     response = await fetch(`/api/${path}`, {
       method,
+      keepalive,
       ...(body === undefined
         ? {}
         : { body: JSON.stringify(body), headers: { 'content-type': 'application/json' } }),
@@ -54,6 +55,9 @@ export const api = {
   start: (run: StartRun) => ask<{ id: string }>('POST', 'runs', run),
   stop: (id: string) => ask<unknown>('DELETE', `runs/${at(id)}`),
   run_scene: (id: string) => ask<Scene>('GET', `runs/${at(id)}/scene`),
+  open_replay: (run: string) => ask<{ id: string }>('POST', 'replays', { run }),
+  /** Also done when the page goes away. */
+  close_replay: (run: string) => ask<unknown>('DELETE', `replays/${at(run)}`, undefined, true),
   maps: () => ask<{ name: string }[]>('GET', 'maps'),
   map: (name: string) => ask<Scene>('GET', `maps/${at(name)}`),
   missions: () => ask<{ name: string; title: string }[]>('GET', 'missions'),

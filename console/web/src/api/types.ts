@@ -9,6 +9,8 @@ export interface Run {
   started: string;
   ticks: number;
   robots: number;
+  /** Whether it can be played. */
+  recording: boolean;
   score: Score | null;
 }
 

@@ -11,6 +11,7 @@ import { Operate } from '@/operate/Operate';
 
 const Plan = lazy(() => import('@/plan/Plan'));
 const Results = lazy(() => import('@/results/Results'));
+const Replay = lazy(() => import('@/replay/Replay'));
 
 const kViews: [View, string][] = [
   ['operate', 'Operate'],
@@ -40,7 +41,8 @@ export function App() {
   const version = useAsked(api.version, 'version', 30_000);
   useKeys(kHelpKey, () => set_help(true));
   useEffect(() => {
-    document.title = `${kViews.find(([view]) => view === route.view)?.[1]} · Tacit console`;
+    const title = kViews.find(([view]) => view === route.view)?.[1] ?? 'Replay';
+    document.title = `${title} · Tacit console`;
   }, [route.view]);
   return (
     <>
@@ -76,6 +78,7 @@ export function App() {
           {route.view === 'operate' && <Operate run={route.run} />}
           {route.view === 'plan' && <Plan />}
           {route.view === 'results' && <Results run={route.run} />}
+          {route.view === 'replay' && <Replay key={route.run} run={route.run} />}
         </Suspense>
       </main>
       <Help open={help} close={() => set_help(false)} />

@@ -1,4 +1,4 @@
-import { kMapKeys, kOperateKeys, kPlanKeys, type Shortcut } from '@/app/keys';
+import { kMapKeys, kOperateKeys, kPlanKeys, kReplayKeys, type Shortcut } from '@/app/keys';
 import { Dialog } from '@/app/parts';
 import { useSettings } from '@/app/settings';
 
@@ -38,11 +38,14 @@ export function Help({ open, close }: { open: boolean; close: () => void }) {
         Single keys are shortcuts
       </label>
       <div className="columns">
-        <Keys title="Operate" keys={kOperateKeys} />
+        <div>
+          <Keys title="Operate and replay" keys={kOperateKeys} />
+          <Keys title="Replay" keys={kReplayKeys} />
+        </div>
         <div>
           <Keys title="Map" keys={kMapKeys} />
           <Keys title="Plan" keys={kPlanKeys} />
-          <Keys title="Everywhere" keys={[{ keys: ['?'], shown: '?', does: 'This help' }]} />
+          <Keys title="Everywhere" keys={[{ shown: '?', does: 'This help' }]} />
         </div>
       </div>
       <section>

@@ -3,37 +3,43 @@ import { useEffect, useRef } from 'react';
 import { useSettings } from '@/app/settings';
 
 export interface Shortcut {
-  keys: string[];
   shown: string;
   does: string;
 }
 
-/** Of the live view, in the order of the help. */
+/** Of a run that is watched, in the order of the help. */
 export const kOperateKeys: Shortcut[] = [
-  { keys: [' '], shown: 'Space', does: 'Pause or go on' },
-  { keys: ['.'], shown: '.', does: 'One tick' },
-  { keys: ['+', '='], shown: '+', does: 'Faster' },
-  { keys: ['-'], shown: '-', does: 'Slower' },
-  { keys: ['f'], shown: 'F', does: 'Fit the map into the window' },
-  { keys: ['n'], shown: 'N', does: 'Next robot' },
-  { keys: ['p'], shown: 'P', does: 'Previous robot' },
-  { keys: ['l'], shown: 'L', does: 'Follow the selected robot' },
-  { keys: ['t'], shown: 'T', does: 'Trails' },
-  { keys: ['v'], shown: 'V', does: 'Pushes of the motor schemas' },
-  { keys: ['s'], shown: 'S', does: 'Sensor range' },
-  { keys: ['Escape'], shown: 'Esc', does: 'Select no robot' },
+  { shown: 'Space', does: 'Pause or go on' },
+  { shown: '.', does: 'One tick' },
+  { shown: '+', does: 'Faster' },
+  { shown: '-', does: 'Slower' },
+  { shown: 'F', does: 'Fit the map into the window' },
+  { shown: 'N', does: 'Next robot' },
+  { shown: 'P', does: 'Previous robot' },
+  { shown: 'L', does: 'Follow the selected robot' },
+  { shown: 'T', does: 'Trails' },
+  { shown: 'V', does: 'Pushes of the motor schemas' },
+  { shown: 'S', does: 'Sensor range' },
+  { shown: 'Esc', does: 'Select no robot' },
+];
+
+export const kReplayKeys: Shortcut[] = [
+  { shown: 'J, K', does: 'To the event before, after' },
+  { shown: '← →', does: 'On the time bar: 1 s back, on' },
+  { shown: 'Page Up, Page Down', does: 'On the time bar: 10 s on, back' },
+  { shown: 'Home, End', does: 'On the time bar: its ends' },
 ];
 
 export const kMapKeys: Shortcut[] = [
-  { keys: [], shown: '← ↑ → ↓', does: 'Move the map (when it has the focus)' },
-  { keys: [], shown: 'Page Up, Page Down', does: 'Zoom (when the map has the focus)' },
+  { shown: '← ↑ → ↓', does: 'Move the map (when it has the focus)' },
+  { shown: 'Page Up, Page Down', does: 'Zoom (when the map has the focus)' },
 ];
 
 export const kPlanKeys: Shortcut[] = [
-  { keys: [], shown: 'Ctrl+Z, Ctrl+Shift+Z', does: 'Undo, redo' },
-  { keys: [], shown: '← ↑ → ↓', does: 'Move the focused task by 1 m; with Shift by 10 m' },
-  { keys: [], shown: 'Delete', does: 'Remove the focused task' },
-  { keys: [], shown: 'Alt+↑, Alt+↓', does: 'Earlier or later in the order' },
+  { shown: 'Ctrl+Z, Ctrl+Shift+Z', does: 'Undo, redo' },
+  { shown: '← ↑ → ↓', does: 'Move the focused task by 1 m; with Shift by 10 m' },
+  { shown: 'Delete', does: 'Remove the focused task' },
+  { shown: 'Alt+↑, Alt+↓', does: 'Earlier or later in the order' },
 ];
 
 /** Whether a key belongs to what has the focus: letters to a field, Space to a button. */
@@ -44,25 +50,27 @@ function is_taken(event: KeyboardEvent): boolean {
   // A dialog that was just closed may have the focus still.
   if (dialog) return dialog.open;
   if (target.closest('input, select, textarea, [contenteditable]')) {
-    return !(target instanceof HTMLInputElement && target.type === 'checkbox' && event.key !== ' ');
+    if (!(target instanceof HTMLInputElement)) return true;
+    // A slider moves by keys of its own, which are no letters.
+    return target.type !== 'range' && !(target.type === 'checkbox' && event.key !== ' ');
   }
   return event.key === ' ' && target.closest('button, a, summary, [role=option]') !== null;
 }
 
 /** Calls `act` with a key's own spelling from `wanted`, unless something else has it. */
 export function useKeys(wanted: readonly string[], act: (key: string) => void): void {
-  const newest = useRef(act);
-  newest.current = act;
+  const newest = useRef({ wanted, act });
+  newest.current = { wanted, act };
   useEffect(() => {
     const pressed = (event: KeyboardEvent) => {
       if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
       if (!useSettings.getState().keys && event.key !== 'Escape') return;
       const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-      if (!wanted.includes(key) || is_taken(event)) return;
+      if (!newest.current.wanted.includes(key) || is_taken(event)) return;
       event.preventDefault();
-      newest.current(key);
+      newest.current.act(key);
     };
     window.addEventListener('keydown', pressed);
     return () => window.removeEventListener('keydown', pressed);
-  }, [wanted]);
+  }, []);
 }

@@ -11,8 +11,11 @@ const kAnswerWithin_ms = 5000;
 export type Link = 'connecting' | 'open' | 'waiting' | 'closed';
 
 export interface Hearing {
-  /** One message, unpacked. */
-  message(topic: string, value: unknown): void;
+  /** One message, unpacked, and the simulated time of its sending. */
+  message(topic: string, value: unknown, time_s: number): void;
+  /** Where the session's clock stands. */
+  time(time_s: number): void;
+  parameter(name: string, value: unknown): void;
   link(state: Link): void;
   /** A run that was not the one before: forget what was known. */
   session(id: string): void;
@@ -41,6 +44,8 @@ export class Connection {
   constructor(
     private readonly url: string,
     private readonly hearing: Hearing,
+    /** Those that are followed. */
+    private readonly parameters: string[] = [],
   ) {}
 
   open(): void {
@@ -59,6 +64,14 @@ export class Connection {
       const id = info.sessionId ?? '';
       if (id !== this.#session) this.hearing.session(id);
       this.#session = id;
+      if (this.parameters.length > 0) {
+        client.subscribeParameterUpdates(this.parameters);
+        client.getParameters(this.parameters);
+      }
+    });
+    client.on('time', ({ timestamp }) => this.hearing.time(seconds(timestamp)));
+    client.on('parameterValues', ({ parameters }) => {
+      for (const { name, value } of parameters) this.hearing.parameter(name, value);
     });
     client.on('status', (status) => {
       if (status.level > 0) this.hearing.trouble(status.message);
@@ -68,9 +81,9 @@ export class Connection {
     client.on('advertiseServices', (services) => {
       for (const service of services) this.#services.set(service.name.replace(/^.*\//, ''), service);
     });
-    client.on('message', ({ subscriptionId, data }) => {
+    client.on('message', ({ subscriptionId, timestamp, data }) => {
       const channel = this.#channels.get(this.#by_subscription.get(subscriptionId) ?? -1);
-      if (channel) this.#unpack(channel.topic, channel.unpack, view_of(data));
+      if (channel) this.#unpack(channel.topic, channel.unpack, view_of(data), seconds(timestamp));
     });
     client.on('serviceCallResponse', ({ callId, data }) => {
       const text = new TextDecoder().decode(data);
@@ -139,7 +152,7 @@ export class Connection {
     this.#channels.delete(id);
   }
 
-  #unpack(topic: string, unpack: Unpack, data: DataView): void {
+  #unpack(topic: string, unpack: Unpack, data: DataView, time_s: number): void {
     let value: unknown;
     try {
       value = unpack(data);
@@ -147,7 +160,7 @@ export class Connection {
       this.hearing.trouble(`A sample of ${topic} cannot be read: ${String(error)}`);
       return;
     }
-    this.hearing.message(topic, value);
+    this.hearing.message(topic, value, time_s);
   }
 
   #answer(id: number, say: (call: Call) => void): void {
@@ -178,6 +191,10 @@ export class Connection {
     this.#link = link;
     this.hearing.link(link);
   }
+}
+
+function seconds(time_ns: bigint): number {
+  return Number(time_ns) / 1e9;
 }
 
 function view_of(bytes: ArrayBufferView): DataView {

@@ -1,4 +1,5 @@
 import { Connection, type Link } from '@/live/connection';
+import { Jump, type Playing } from '@/live/jump';
 import { Trail } from '@/live/trail';
 import {
   kEventKinds,
@@ -51,7 +52,7 @@ interface Heard {
   late: number;
 }
 
-/** All that is known of a run that goes on. Told twice: each frame for what moves, and a few times
+/** All that is known of a run that goes on, or of a recorded one that is played. Told twice: each frame for what moves, and a few times
  * a second for what is read. */
 export class LiveRun {
   view: WorldView | null = null;
@@ -62,6 +63,12 @@ export class LiveRun {
   readonly events: LoggedEvent[] = [];
   missed_events = 0;
   readonly trails = new Map<number, Trail>();
+  /** Of a recorded run: all events that were heard, over all jumps, in their order. */
+  readonly heard_events: LoggedEvent[] = [];
+  /** How a recorded run is played. */
+  playing: Playing | null = null;
+  /** Where the clock of a recorded run stands. */
+  time_s = 0;
   /** Of the newest view, by number. */
   readonly robots = new Map<number, ViewedRobot>();
 
@@ -78,24 +85,34 @@ export class LiveRun {
   #next_event = 0;
   #tick_s = 0.1;
   #rate = { wall_ms: 0, time_s: 0, factor: 0 };
+  #jump: Jump | null = null;
+  /** What was sent before this is of before a jump. */
+  #not_before_s = 0;
 
   constructor(
     url: string,
     private readonly now: () => number = () => performance.now(),
+    readonly recorded = false,
   ) {
-    this.#connection = new Connection(url, {
-      message: (topic, value) => this.take(topic, value),
-      link: (link) => {
+    const hearing = {
+      message: (topic: string, value: unknown, time_s: number) => this.take(topic, value, time_s),
+      time: (time_s: number) => this.take_time(time_s),
+      parameter: (name: string, value: unknown) => {
+        if (name === 'replay') this.take_playing(value as Playing);
+      },
+      link: (link: Link) => {
         this.link = link;
+        if (link !== 'open') this.#jump?.end();
         this.#frame();
         this.#news();
       },
       session: () => this.#forget(),
-      trouble: (text) => {
+      trouble: (text: string) => {
         this.trouble = text;
         this.#news();
       },
-    });
+    };
+    this.#connection = new Connection(url, hearing, recorded ? ['replay'] : []);
   }
 
   start(): void {
@@ -114,16 +131,45 @@ export class LiveRun {
     this.#connection.retry();
   }
 
-  call(service: string, request: object = {}): Promise<unknown> {
-    return this.#connection.call(service, request);
+  async call(service: string, request: object = {}): Promise<unknown> {
+    const answer = await this.#connection.call(service, request);
+    // Told a moment later; a key that is pressed again before counts too.
+    if (service === 'pause' || service === 'resume') this.#expect({ playing: service === 'resume' });
+    return answer;
+  }
+
+  /** Moves a recorded run. Done when what comes is of then. */
+  async seek(time_s: number): Promise<void> {
+    const { start_s = 0, end_s = time_s } = this.playing ?? {};
+    const to_s = Math.min(Math.max(time_s, start_s), end_s);
+    this.#jump?.end();
+    const jump = new Jump(this.time_s, to_s);
+    this.#jump = jump;
+    try {
+      await this.#connection.call('seek', { time_s: to_s });
+      await jump.ended;
+    } finally {
+      jump.end();
+      if (this.#jump === jump) this.#jump = null;
+    }
   }
 
   get phase(): Phase | null {
     return this.status ? (kPhases[this.status.phase] ?? null) : null;
   }
 
+  /** A live run that has come to its end. */
   get over(): boolean {
-    return this.phase === 'ended' || this.phase === 'stopped';
+    return !this.recorded && (this.phase === 'ended' || this.phase === 'stopped');
+  }
+
+  get paused(): boolean {
+    return this.recorded ? !this.playing?.playing : this.phase === 'paused';
+  }
+
+  /** The events that people are shown. */
+  get log(): readonly LoggedEvent[] {
+    return this.recorded ? this.heard_events : this.events;
   }
 
   /** Simulated seconds a second of real time, as measured; 0 before it is known. */
@@ -144,7 +190,7 @@ export class LiveRun {
   }
 
   health(): Health[] {
-    const now = this.now();
+    const now = this.#clock_ms();
     return [...this.#heard.entries()]
       .map(([robot, heard]) => ({
         robot,
@@ -159,18 +205,32 @@ export class LiveRun {
   }
 
   /** Of a `Telemetry` channel or one of the run's; others are left. */
-  take(topic: string, value: unknown): void {
+  take(topic: string, value: unknown, time_s = Infinity): void {
+    if (this.#jump || time_s < this.#not_before_s) return;
     if (topic.endsWith('/world_view')) this.#take_view(value as WorldView);
     else if (topic.endsWith('/status')) this.#take_status(value as RunStatus);
     else if (topic.endsWith('/events')) this.#take_events(value as EventBatch);
     else if (topic.endsWith('/telemetry')) this.#take_telemetry(value as Telemetry);
     else return;
-    this.#heard_ms = this.now();
-    if (this.stale) {
-      this.stale = false;
-      this.#frame();
+    this.#hear();
+  }
+
+  take_time(time_s: number): void {
+    if (!this.recorded) return;
+    this.time_s = time_s;
+    if (this.#jump?.is_done_at(time_s)) {
+      this.#not_before_s = this.#jump.oldest_s;
+      this.#jump.end();
+      this.#jump = null;
+      this.#forget_past();
     }
-    this.#news();
+    this.#hear();
+  }
+
+  take_playing(playing: Playing): void {
+    if (!this.#jump && (!this.playing || !playing.playing)) this.time_s = playing.time_s;
+    this.playing = playing;
+    this.#hear();
   }
 
   readonly on_frame = (listener: () => void): (() => void) => {
@@ -188,7 +248,27 @@ export class LiveRun {
     this.#frame();
   }
 
+  #expect(change: Partial<Playing>): void {
+    if (this.playing) this.take_playing({ ...this.playing, time_s: this.time_s, ...change });
+  }
+
+  #hear(): void {
+    this.#heard_ms = this.now();
+    if (this.stale) {
+      this.stale = false;
+      this.#frame();
+    }
+    this.#news();
+  }
+
+  /** Agents of a recorded run are judged by the time in it. */
+  #clock_ms(): number {
+    return this.recorded ? 1000 * this.time_s : this.now();
+  }
+
   #take_view(view: WorldView): void {
+    // Somebody else has moved the recording back.
+    if (this.recorded && this.view && view.time_s < this.view.time_s) this.#forget_past();
     this.view = view;
     this.robots.clear();
     for (const robot of view.robots) {
@@ -225,6 +305,7 @@ export class LiveRun {
       if (index < this.#next_event) return;
       this.#next_event = index + 1;
       this.events.push({ index, event });
+      if (this.recorded) insert(this.heard_events, { index, event });
       if (kEventKinds[event.kind] === 'late') {
         const heard = this.#heard.get(event.robot);
         if (heard) heard.late += 1;
@@ -234,7 +315,7 @@ export class LiveRun {
   }
 
   #take_telemetry(telemetry: Telemetry): void {
-    const now = this.now();
+    const now = this.#clock_ms();
     const heard = this.#heard.get(telemetry.robot);
     const times = heard?.times ?? [];
     times.push(now);
@@ -264,18 +345,27 @@ export class LiveRun {
   #forget(): void {
     this.view = null;
     this.status = null;
+    this.robots.clear();
+    this.heard_events.length = 0;
+    this.#not_before_s = 0;
+    this.#forget_past();
+    this.#news();
+  }
+
+  /** What a moment of a run does not say by itself. */
+  #forget_past(): void {
     this.events.length = 0;
     this.missed_events = 0;
     this.#next_event = 0;
     this.trails.clear();
-    this.robots.clear();
     this.#heard.clear();
     this.#samples.clear();
-    this.#news();
+    this.#rate = { wall_ms: 0, time_s: 0, factor: 0 };
   }
 
   #judge_age(): void {
-    const stale = !this.over && this.now() - this.#heard_ms > kStaleAfter_ms;
+    const rests = this.over || (this.recorded && this.paused && this.link === 'open');
+    const stale = !rests && this.now() - this.#heard_ms > kStaleAfter_ms;
     if (stale === this.stale) return;
     this.stale = stale;
     this.#frame();
@@ -294,6 +384,14 @@ export class LiveRun {
       for (const listener of this.#on_news) listener();
     }, kNews_ms);
   }
+}
+
+/** Keeps the order, and leaves what is there. */
+function insert(events: LoggedEvent[], one: LoggedEvent): void {
+  let at = events.length;
+  while (at > 0 && events[at - 1]!.index > one.index) --at;
+  if (events[at - 1]?.index === one.index || events.length >= kMostEvents) return;
+  events.splice(at, 0, one);
 }
 
 function rate_of(times: number[], now: number): number {

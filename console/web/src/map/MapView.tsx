@@ -6,6 +6,7 @@ import {
 import type { Scene } from '@/api/types';
 import { box_of, round_step, type Camera } from '@/map/camera';
 import { draw_scene } from '@/map/draw_scene';
+import { labels_of } from '@/map/labels';
 import { on_palette, palette, type Palette } from '@/map/palette';
 
 const kPan_px = 60;
@@ -70,11 +71,13 @@ export const MapView = forwardRef<MapHandle, MapProps>(function MapView(props, h
   useEffect(() => {
     const element = frame.current!;
     const watch = new ResizeObserver(() => {
+      const sheet = canvas.current;
+      // It may be told once more after the map has gone.
+      if (!sheet) return;
       const { clientWidth, clientHeight } = element;
       const ratio = window.devicePixelRatio || 1;
-      if (!canvas.current) return;
-      canvas.current.width = clientWidth * ratio;
-      canvas.current.height = clientHeight * ratio;
+      sheet.width = clientWidth * ratio;
+      sheet.height = clientHeight * ratio;
       const first = camera.width_px === 1;
       camera.resize(clientWidth, clientHeight);
       if (first || camera.is_fitted) fit();
@@ -223,29 +226,18 @@ function Names({ camera, scene }: { camera: Camera; scene: Scene }) {
   if (!wide_enough) return null;
   return (
     <g className="names" aria-hidden="true">
-      {scene.rooms.map((room) => (
-        <Name key={room.name} camera={camera} at={middle(room.outline)} text={room.name} />
+      {labels_of(camera, scene).map(({ text, x, y }, i) => (
+        <text key={i} x={x} y={y} textAnchor="middle">
+          {text}
+        </text>
       ))}
-      {scene.points.map((point) => (
-        <Name key={point.name} camera={camera} at={[point.x, point.y]} text={point.name} below />
-      ))}
-      {scene.base && <Name camera={camera} at={[scene.base.x, scene.base.y]} text="Base" />}
-      {scene.start && <Mark camera={camera} at={[scene.start.x, scene.start.y]} text="Start" kind="start" />}
-      {scene.target && <Mark camera={camera} at={[scene.target.x, scene.target.y]} text="Target" kind="target" />}
+      {scene.start && <Mark camera={camera} at={[scene.start.x, scene.start.y]} kind="start" />}
+      {scene.target && <Mark camera={camera} at={[scene.target.x, scene.target.y]} kind="target" />}
     </g>
   );
 }
 
-function Name(props: { camera: Camera; at: [number, number]; text: string; below?: boolean }) {
-  const [x, y] = props.camera.to_screen(...props.at);
-  return (
-    <text x={x} y={props.below ? y + 18 : y} textAnchor="middle">
-      {props.text}
-    </text>
-  );
-}
-
-function Mark(props: { camera: Camera; at: [number, number]; text: string; kind: string }) {
+function Mark(props: { camera: Camera; at: [number, number]; kind: string }) {
   const [x, y] = props.camera.to_screen(...props.at);
   return (
     <g transform={`translate(${x} ${y})`} className={`mark ${props.kind}`}>
@@ -257,15 +249,6 @@ function Mark(props: { camera: Camera; at: [number, number]; text: string; kind:
           <circle r="3.5" className="full" />
         </>
       )}
-      <text y="22" textAnchor="middle">
-        {props.text}
-      </text>
     </g>
   );
-}
-
-function middle(outline: [number, number][]): [number, number] {
-  const xs = outline.map(([x]) => x);
-  const ys = outline.map(([, y]) => y);
-  return [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2];
 }

@@ -52,9 +52,9 @@ export function useControls(live: LiveRun): RunControls {
   return {
     speed,
     error,
-    toggle: () => void call(live.phase === 'paused' ? 'resume' : 'pause'),
+    toggle: () => void call(live.paused ? 'resume' : 'pause'),
     step: async () => {
-      if (live.phase !== 'paused' && !(await call('pause'))) return;
+      if (!live.paused && !(await call('pause'))) return;
       void call('step', { ticks: 1 });
     },
     faster: () => change(1),
@@ -73,7 +73,7 @@ export function Controls(props: { live: LiveRun; controls: RunControls; run: Run
   const { live, controls, run } = props;
   useNews(live);
   const { status } = live;
-  const paused = live.phase === 'paused';
+  const { paused } = live;
   const dead = live.link !== 'open' || live.over;
   return (
     <header className="controls">
@@ -125,7 +125,7 @@ export function Controls(props: { live: LiveRun; controls: RunControls; run: Run
   );
 }
 
-function Fact({ name, value }: { name: string; value: string }) {
+export function Fact({ name, value }: { name: string; value: string }) {
   return (
     <div>
       <dt>{name}</dt>

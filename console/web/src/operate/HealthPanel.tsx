@@ -4,7 +4,7 @@ import { useNews } from '@/operate/use_live';
 function word_of(health: Health, run: LiveRun): string {
   if (run.stale) return '◌ old';
   if (!run.robots.get(health.robot)?.present) return '◌ absent';
-  if (run.phase !== 'paused' && health.heard_ms > 2 * kStaleAfter_ms) return '⚠ silent';
+  if (!run.paused && health.heard_ms > 2 * kStaleAfter_ms) return '⚠ silent';
   if (health.rejected > 0 || health.late > 0) return '! look';
   return '✓ well';
 }

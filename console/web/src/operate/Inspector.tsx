@@ -12,9 +12,11 @@ interface Props {
   live: LiveRun;
   robot: number | null;
   select: (robot: number | null) => void;
+  /** Whether the operator's word can be given. */
+  operator: boolean;
 }
 
-export function Inspector({ live, robot, select }: Props) {
+export function Inspector({ live, robot, select, operator }: Props) {
   useNews(live);
   const all = live.view?.robots ?? [];
   const seen = robot === null ? undefined : live.robots.get(robot);
@@ -41,7 +43,7 @@ export function Inspector({ live, robot, select }: Props) {
           gains.
         </p>
       ) : seen ? (
-        <Details live={live} robot={seen} telemetry={live.telemetry(robot)} />
+        <Details live={live} robot={seen} telemetry={live.telemetry(robot)} operator={operator} />
       ) : (
         <p className="hint">Robot {robot} is not in the world now.</p>
       )}
@@ -49,7 +51,7 @@ export function Inspector({ live, robot, select }: Props) {
   );
 }
 
-function Details(props: { live: LiveRun; robot: ViewedRobot; telemetry: Telemetry | null }) {
+function Details(props: { live: LiveRun; robot: ViewedRobot; telemetry: Telemetry | null; operator: boolean }) {
   const { live, robot, telemetry } = props;
   const heading = (Math.atan2(robot.heading_sin, robot.heading_cos) * 180) / Math.PI;
   const speed = Math.hypot(robot.velocity_x_mps, robot.velocity_y_mps);
@@ -88,7 +90,7 @@ function Details(props: { live: LiveRun; robot: ViewedRobot; telemetry: Telemetr
       ) : (
         <p className="hint">No telemetry from this robot yet.</p>
       )}
-      <Operator live={live} robot={robot.robot} />
+      {props.operator && <Operator live={live} robot={robot.robot} />}
     </>
   );
 }

@@ -115,6 +115,11 @@ function OverRun({ run }: { run: Run }) {
         <a className="button primary" href={address_of('results', run.id)}>
           Metrics and checklist
         </a>
+        {run.recording && (
+          <a className="button" href={address_of('replay', run.id)}>
+            Replay
+          </a>
+        )}
       </p>
     </Nothing>
   );

@@ -18,6 +18,11 @@ export function group_of(event: Event): Group {
   return kind ? kGroupOf[kind] : 'run';
 }
 
+/** A checkpoint tells of enemies and a target: of a run that guards one. */
+export function is_checkpoint(event: Event): boolean {
+  return kEventKinds[event.kind] === 'checkpoint';
+}
+
 const kBumped = ['an obstacle', 'a wall', 'robot', 'enemy'];
 const kEnds = ['accomplished', 'the team was lost', 'out of time'];
 const kWhere = ['the open', 'room', 'hallway'];

@@ -97,7 +97,10 @@ function Palette({ tool, set_tool }: { tool: TaskKind | null; set_tool: (tool: T
   return (
     <div className="palette" role="group" aria-label="Task to place on the map">
       <button type="button" aria-pressed={tool === null} onClick={() => set_tool(null)}>
-        <span aria-hidden="true">↖</span> Select
+        <svg className="pointer" width="14" height="16" viewBox="0 0 14 16" aria-hidden="true">
+          <path d="M1 1V13L4.2 10.2 6.4 15 8.8 13.9 6.6 9.2H11Z" />
+        </svg>
+        Select
       </button>
       {kTasks.map(({ kind, name, letter, help }) => (
         <button

@@ -84,6 +84,7 @@ function RunTable() {
               {kColumns.map(([column, name, is_number]) => (
                 <Head key={column} {...{ column, name, is_number, sorting }} sort={set_sorting} />
               ))}
+              <th scope="col">Recording</th>
             </tr>
           </thead>
           <tbody>
@@ -144,6 +145,17 @@ function Row({ run }: { run: Run }) {
       <td className="number">{run.seed}</td>
       <td className="number">{run.ticks}</td>
       <td className="number">{run.score ? `${run.score.done} of ${run.score.wanted}` : '–'}</td>
+      <td>
+        {run.recording && run.state !== 'live' ? (
+          <a href={address_of('replay', run.id)} aria-label={`Replay ${run.name || run.id}`}>
+            <span aria-hidden="true">▶</span> Replay
+          </a>
+        ) : (
+          <span title={run.recording ? 'When the run is over' : 'Made by tacit run --record'}>
+            {run.recording ? 'going on' : 'none'}
+          </span>
+        )}
+      </td>
     </tr>
   );
 }

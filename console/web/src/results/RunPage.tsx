@@ -50,6 +50,11 @@ function Detail({ run }: { run: RunDetail }) {
             {run.name || run.id} <RunState state={run.state} />
           </h1>
           <div className="row">
+            {run.recording && run.state !== 'live' && (
+              <a className="button primary" href={address_of('replay', run.id)}>
+                <span aria-hidden="true">▶</span> Replay
+              </a>
+            )}
             {!run.checklist && (
               <button type="button" onClick={again}>
                 Same scenario and seed again
@@ -68,6 +73,11 @@ function Detail({ run }: { run: RunDetail }) {
             </div>
           ))}
         </dl>
+        {!run.recording && (
+          <p className="hint">
+            This run was not recorded and cannot be played. <code>tacit run --record</code> records one.
+          </p>
+        )}
         {error && <Trouble text={error} />}
       </header>
       <section className="panel" aria-label="Metrics">
