@@ -68,17 +68,20 @@ function Rows(props: RowProps & { events: readonly LoggedEvent[] }) {
   const [top, set_top] = useState(0);
   const [height, set_height] = useState(160);
   const at_end = useRef(true);
+  // Of a recorded run, those after the moment that is shown come below.
+  const past = props.jump ? events.filter((one) => !is_later(one, props)).length : events.length;
   useEffect(() => {
     const watch = new ResizeObserver(() => set_height(box.current?.clientHeight ?? 160));
     watch.observe(box.current!);
     return () => watch.disconnect();
   }, []);
   useEffect(() => {
-    if (at_end.current && box.current) box.current.scrollTop = box.current.scrollHeight;
-  }, [events.length]);
+    if (at_end.current && box.current) box.current.scrollTop = end_of(past, box.current);
+  }, [past]);
   const scrolled = () => {
-    const { scrollTop, clientHeight, scrollHeight } = box.current!;
-    at_end.current = scrollTop + clientHeight >= scrollHeight - kRow_px;
+    const { scrollTop } = box.current!;
+    const away_px = scrollTop - end_of(past, box.current!);
+    at_end.current = away_px >= -kRow_px && (!props.jump || away_px <= kRow_px);
     set_top(scrollTop);
   };
   const first = Math.max(0, Math.floor(top / kRow_px) - kMoreRows);
@@ -98,12 +101,20 @@ function Rows(props: RowProps & { events: readonly LoggedEvent[] }) {
   );
 }
 
+function end_of(rows: number, box: HTMLElement): number {
+  return Math.max(0, rows * kRow_px - box.clientHeight);
+}
+
+function is_later({ event }: LoggedEvent, { tick_s, now_s }: RowProps): boolean {
+  return Number(event.tick) * tick_s > now_s + 1e-3;
+}
+
 function Row(props: RowProps & { logged: LoggedEvent; top_px: number }) {
   const { event } = props.logged;
   const { jump } = props;
   const group = group_of(event);
   const time_s = Number(event.tick) * props.tick_s;
-  const later = jump && time_s > props.now_s + 1e-3;
+  const later = jump && is_later(props.logged, props);
   return (
     <div className={`event ${group} ${is_grave(event) ? 'grave' : ''} ${later ? 'later' : ''}`} style={{ top: `${props.top_px}px` }}>
       {jump ? (
