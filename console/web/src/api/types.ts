@@ -132,6 +132,8 @@ export interface PlanAnswer {
 }
 
 export interface Preview {
+  /** All flights went the same way: nothing in the mission draws chance. */
+  alike?: boolean;
   state: 'running' | 'done' | 'cancelled';
   flown: number;
   flights: number;

@@ -109,7 +109,7 @@ function Outcome({ preview }: { preview: Preview }) {
           <dd>{success ? percent(success.share) : '–'}</dd>
         </div>
         <div>
-          <dt>Interval</dt>
+          <dt>95 % interval</dt>
           <dd>{success ? `${percent(success.low)} to ${percent(success.high)}` : '–'}</dd>
         </div>
         <div>
@@ -121,6 +121,11 @@ function Outcome({ preview }: { preview: Preview }) {
           <dd>{preview.median_time_s === null ? '–' : clock(preview.median_time_s)}</dd>
         </div>
       </dl>
+      {preview.alike && (
+        <p className="hint">
+          Every flight went the same way: senses, calls and mission draw no chance, so this is worth one flight.
+        </p>
+      )}
       {preview.failures.length > 0 && (
         <ul className="failures">
           {preview.failures.map((failure) => (
