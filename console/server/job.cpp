@@ -1,6 +1,7 @@
 #include "console/server/job.h"
 
 #include <signal.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <boost/process/args.hpp>
@@ -27,24 +28,27 @@ std::string text_of(const fs::path& file) {
 }
 
 /// A Ctrl-C at the console's terminal is meant for the console; and a program begins with signals
-/// that come through.
+/// that come through. One that is to end with us does so also when we are killed.
 struct OwnGroup : bp::extend::handler {
+  Job::Life life = Job::Life::EndsWithUs;
+  explicit OwnGroup(Job::Life how) : life(how) {}
   template <class Executor>
   void on_exec_setup(Executor&) const {
     ::setpgid(0, 0);
+    if (life == Job::Life::EndsWithUs) ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     sigset_t none;
     ::sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
   }
 };
 
-bp::child started(const std::vector<std::string>& words, const fs::path& folder) {
+bp::child started(const std::vector<std::string>& words, const fs::path& folder, Job::Life life) {
   fs::create_directories(folder);
   try {
     return bp::child(bp::exe = words.front(),
                      bp::args = std::vector<std::string>(words.begin() + 1, words.end()),
                      bp::std_in<bp::null, bp::std_out>(folder / "out").string(),
-                     bp::std_err > (folder / "err").string(), OwnGroup());
+                     bp::std_err > (folder / "err").string(), OwnGroup(life));
   } catch (const std::system_error& error) {
     throw std::runtime_error(words.front() + ": " + error.code().message());
   }
@@ -55,7 +59,7 @@ bp::child started(const std::vector<std::string>& words, const fs::path& folder)
 class Job::Impl {
  public:
   Impl(const std::vector<std::string>& words, fs::path folder, Life life)
-      : folder_(std::move(folder)), life_(life), child_(started(words, folder_)) {}
+      : folder_(std::move(folder)), life_(life), child_(started(words, folder_, life)) {}
   ~Impl() {
     if (life_ == Life::EndsWithUs && running()) {
       ::kill(-child_.id(), SIGKILL);

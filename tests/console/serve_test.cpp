@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -24,10 +26,26 @@ using gateway::Socket;
 using nlohmann::json;
 using namespace std::chrono_literals;
 
+/// Processes with that word in their command line.
+int count_of_processes(const std::string& word) {
+  int count = 0;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
+    std::ifstream in(entry.path() / "cmdline", std::ios::binary);
+    const std::string words{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    if (words.find(word) != std::string::npos) ++count;
+  }
+  return count;
+}
+
 /// A console of its own.
 class Serve : public testing::Test {
  protected:
   Serve() { begin(); }
+  ~Serve() override {
+    console_->send(SIGINT);
+    (void)console_->finish(20s);
+  }
 
   void begin() {
     console_ = std::make_unique<Running>(std::vector<std::string>{
@@ -317,6 +335,17 @@ TEST_F(Serve, LeavesRunsAloneWhenItEndsOrIsKilled) {
     begin();
     EXPECT_TRUE(becomes_true([&] { return state(run) == "done"; })) << state(run);
   }
+}
+
+TEST_F(Serve, TakesItsWizardWithItWhenItIsKilled) {
+  (void)asked("POST", "/api/plans", {{"map_name", "office"}, {"request", office_request(1)}}, 200);
+  const std::string cases = scratch_ / "cases.db";
+  const auto wizards = [&] { return count_of_processes(cases); };
+  EXPECT_EQ(wizards(), 2);  // The console has the file in its command line as well.
+  console_->send(SIGKILL);
+  (void)console_->finish(20s);
+  EXPECT_TRUE(becomes_true([&] { return wizards() == 0; }));
+  begin();
 }
 
 TEST_F(Serve, TakesAnotherPortOrSaysThatItIsTaken) {
