@@ -3,6 +3,7 @@
 #include <prometheus/gauge.h>
 #include <prometheus/registry.h>
 #include <prometheus/text_serializer.h>
+#include <unistd.h>
 
 #include "console/server/api.h"
 #include "idl/version/version.h"
@@ -56,6 +57,18 @@ std::string metrics_text(const Api& api) {
   return prometheus::TextSerializer().Serialize(registry.Collect());
 }
 
+/// Why a run could not be begun now; empty when it could.
+std::string not_ready(const Api& api) {
+  if (::access(api.runs.folder().c_str(), W_OK) != 0) {
+    return api.runs.folder().string() + ": cannot be written to";
+  }
+  for (const char* program : {"tacit", "wizard_service", "world_server", "robot_agent"}) {
+    const std::string file = (api.config.programs / program).string();
+    if (::access(file.c_str(), X_OK) != 0) return file + ": is not there";
+  }
+  return {};
+}
+
 }  // namespace
 
 void add_health_routes(Api& api) {
@@ -64,6 +77,10 @@ void add_health_routes(Api& api) {
   });
   api.server.route(Method::Get, "/api/health",
                    [](const Request&) { return gateway::json(R"({"status":"ok"})"); });
+  api.server.route(Method::Get, "/api/ready", [&api](const Request&) {
+    const std::string trouble = not_ready(api);
+    return trouble.empty() ? gateway::json(R"({"status":"ready"})") : gateway::error(503, trouble);
+  });
   api.server.route(Method::Get, "/api/version", [](const Request&) {
     return gateway::json(
         nlohmann::json{{"name", "Tacit"}, {"version", std::string(version())}}.dump());

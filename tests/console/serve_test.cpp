@@ -43,8 +43,25 @@ class Serve : public testing::Test {
  protected:
   Serve() { begin(); }
   ~Serve() override {
+    end_runs();
     console_->send(SIGINT);
     (void)console_->finish(20s);
+  }
+
+  /// Runs live on without their console, also those of a test that failed.
+  void end_runs() const {
+    (void)becomes_true(
+        [this] {
+          const json runs = json::parse(gateway::get(port_, "/api/runs").body, nullptr, false);
+          bool live = false;
+          for (const json& run : runs.is_array() ? runs : json::array()) {
+            if (run.value("state", "") != "live") continue;
+            live = true;
+            (void)gateway::ask(port_, {"DELETE", "/api/runs/" + run.value("id", ""), {}, {}});
+          }
+          return !live;
+        },
+        20s);
   }
 
   void begin() {
@@ -156,6 +173,7 @@ bool gets_into(Socket& socket, RunPhase phase) {
 TEST_F(Serve, TellsWhatThereIs) {
   EXPECT_EQ(got("/api/health")["status"], "ok");
   EXPECT_TRUE(got("/api/version")["version"].is_string());
+  EXPECT_EQ(got("/api/ready")["status"], "ready");
   EXPECT_EQ(got("/api/runs"), json::array());
   EXPECT_GE(got("/api/maps").size(), 5U);
   EXPECT_GE(got("/api/missions").size(), 8U);
@@ -335,6 +353,12 @@ TEST_F(Serve, LeavesRunsAloneWhenItEndsOrIsKilled) {
     begin();
     EXPECT_TRUE(becomes_true([&] { return state(run) == "done"; })) << state(run);
   }
+}
+
+TEST_F(Serve, IsNotReadyWithoutItsFolder) {
+  std::filesystem::remove_all(scratch_ / "runs");
+  EXPECT_NE(got("/api/ready", 503).value("error", "").find("runs"), std::string::npos);
+  EXPECT_EQ(got("/api/health")["status"], "ok");
 }
 
 TEST_F(Serve, TakesItsWizardWithItWhenItIsKilled) {

@@ -20,18 +20,29 @@ export async function start_console(programs) {
     });
     child.on('exit', (code) => failed(new Error(`the console ended with ${code}`)));
   });
+  /** JSON in, JSON out. */
+  const ask = async (method, path, body) => {
+    const answer = await fetch(url + path, {
+      method,
+      headers: body ? { 'content-type': 'application/json' } : {},
+      body: body && JSON.stringify(body),
+    });
+    return answer.json();
+  };
+  /** Runs live on without their console, also those of a test that failed. */
+  const end_runs = async () => {
+    for (let i = 0; i < 100; i += 1) {
+      const live = (await ask('GET', 'api/runs')).filter((run) => run.state === 'live');
+      if (live.length === 0) return;
+      for (const run of live) await ask('DELETE', `api/runs/${run.id}`);
+      await new Promise((done) => setTimeout(done, 100));
+    }
+  };
   return {
     url,
-    /** JSON in, JSON out. */
-    ask: async (method, path, body) => {
-      const answer = await fetch(url + path, {
-        method,
-        headers: body ? { 'content-type': 'application/json' } : {},
-        body: body && JSON.stringify(body),
-      });
-      return answer.json();
-    },
+    ask,
     close: async () => {
+      await end_runs();
       const ended = new Promise((done) => child.on('exit', done));
       child.kill('SIGINT');
       await ended;
