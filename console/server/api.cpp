@@ -1,7 +1,5 @@
 #include "console/server/api.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -14,12 +12,6 @@ namespace tacit {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path private_folder() {
-  std::string name = (fs::temp_directory_path() / "tacit-console-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": cannot be made");
-  return name;
-}
 
 gateway::ServerConfig gateway_config(const ConsoleServerConfig& config) {
   gateway::ServerConfig gateway;
@@ -36,7 +28,8 @@ gateway::ServerConfig gateway_config(const ConsoleServerConfig& config) {
 
 Api::Api(const ConsoleServerConfig& given)
     : config(given),
-      scratch(private_folder()),
+      folder("tacit-console"),
+      scratch(folder.path()),
       runs(given.runs),
       maps(given.maps, ".ovl"),
       missions(given.missions, ".cdl"),

@@ -11,6 +11,7 @@
 
 #include "console/gateway/server.h"
 #include "console/live/replay.h"
+#include "console/record/temporary_folder.h"
 #include "console/server/console_server.h"
 #include "console/server/job.h"
 #include "console/server/library.h"
@@ -26,7 +27,8 @@ struct Api {
   explicit Api(const ConsoleServerConfig& config);
 
   ConsoleServerConfig config;
-  std::filesystem::path scratch;  ///< A folder of this process alone; removed by the server.
+  TemporaryFolder folder;
+  const std::filesystem::path scratch;  ///< Its path.
   RunList runs;
   Library maps;
   Library missions;

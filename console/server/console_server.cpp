@@ -35,8 +35,6 @@ class ConsoleServer::Impl {
     api_.replays.clear();
     api_.previews.clear();
     api_.run_jobs.clear();
-    std::error_code error;
-    fs::remove_all(api_.scratch, error);
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;

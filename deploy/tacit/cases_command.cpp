@@ -193,8 +193,9 @@ Exit rate_case(const CasesWish& wish) {
 /// Those whose rows cannot be used as well.
 std::set<CaseId> all_ids(cbr::CaseBase& base) {
   std::set<CaseId> ids;
-  for (const cbr::CaseHead& head : base.heads()) ids.insert(head.id);
-  for (const cbr::Flaw& flaw : base.flaws()) ids.insert(flaw.id);
+  const cbr::Inventory all = base.inventory();
+  for (const cbr::CaseHead& head : all.heads) ids.insert(head.id);
+  for (const cbr::Flaw& flaw : all.flaws) ids.insert(flaw.id);
   return ids;
 }
 

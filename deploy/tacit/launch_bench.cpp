@@ -11,6 +11,7 @@
 #include <random>
 #include <thread>
 
+#include "console/record/temporary_folder.h"
 #include "console/report/table.h"
 #include "deploy/tacit/cast.h"
 #include "deploy/tacit/say.h"
@@ -26,29 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-/// A folder of its own that goes away again.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "tacit-bench-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error("there is no folder for temporary files");
-    }
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Proportional set size of a process in MB; absent when the kernel does not tell.
 std::optional<double> pss_mb(pid_t pid) {
@@ -178,7 +156,7 @@ Exit bench_launches() {
                {"median_pss_mb", "median PSS of an agent, MB", 1, false},
                {"largest_pss_mb", "largest, MB", 1, false}},
               {}};
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("tacit-bench");
   Signals signals;
   for (const std::int64_t robots : {6, 12, 25, 50}) {
     say("measuring a team of " + std::to_string(robots));

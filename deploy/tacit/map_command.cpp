@@ -85,21 +85,9 @@ Exit check_map(const MapWish& wish) {
   return has_errors(findings) ? Exit::BadInput : Exit::Done;
 }
 
-void require_readable(const OverlayReading& reading, const std::string& file) {
-  std::string text;
-  for (const MapFinding& finding : reading.findings) {
-    if (finding.severity == Severity::Error) {
-      text += (text.empty() ? "" : "\n") + to_text(finding, file);
-    }
-  }
-  if (!text.empty()) {
-    throw ConfigError(text);
-  }
-}
-
 Exit format_map(const MapWish& wish) {
   const OverlayReading reading = read_map(wish.file);
-  require_readable(reading, wish.file);
+  refuse_errors(reading.findings, wish.file);
   const std::string text = to_canonical_text(reading.map);
   if (wish.write) {
     write_whole_file(wish.file, text);
@@ -121,7 +109,7 @@ void put_out(const std::string& text, const MapWish& wish, const std::string& de
 Exit show_map(const MapWish& wish) {
   constexpr int kColumns = 100;
   const OverlayReading reading = read_map(wish.file);
-  require_readable(reading, wish.file);
+  refuse_errors(reading.findings, wish.file);
   put_out(wish.text ? text_picture_of(reading.map, kColumns) : picture_of(reading.map), wish,
           "drew " + wish.file);
   return Exit::Done;

@@ -6,6 +6,7 @@
 
 #include "console/record/files.h"
 #include "console/record/record_error.h"
+#include "console/record/temporary_folder.h"
 #include "deploy/tacit/commands.h"
 #include "deploy/tacit/make_run.h"
 #include "deploy/tacit/plan_text.h"
@@ -66,13 +67,7 @@ std::string text_of(const std::string& file) {
 /// A map that a wizard would refuse is refused here, with the file's name.
 MapPlan map_of(const std::string& text, const std::string& name) {
   const OverlayReading reading = read_overlay(text);
-  std::string errors;
-  for (const MapFinding& finding : reading.findings) {
-    if (finding.severity == Severity::Error) {
-      errors += (errors.empty() ? "" : "\n") + to_text(finding, name);
-    }
-  }
-  if (!errors.empty()) throw ConfigError(errors);
+  refuse_errors(reading.findings, name);
   return plan_of(reading.map, Doors::Open);
 }
 
@@ -144,27 +139,19 @@ class Session {
   }
 
   Exit fly(const OfferedPlan& plan) {
-    std::string folder = (fs::temp_directory_path() / "tacit-plan-XXXXXX").string();
-    if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error(folder + ": cannot be made");
+    const TemporaryFolder folder("tacit-plan");
     RunWish flight = wish_.flight;
-    flight.scenario = folder + "/plan-" + map_name_ + ".cdl";
+    flight.scenario = (folder.path() / ("plan-" + map_name_ + ".cdl")).string();
     flight.map = map_file_;
     flight.json = wish_.json;
     flight.command_line = words_typed();
-    std::optional<MadeRun> made;
-    try {
-      write_whole_file(flight.scenario, plan.mission);
-      if (!wish_.json) std::cout << std::endl;
-      made = make_run(std::move(flight), signals_);
-    } catch (...) {
-      fs::remove_all(folder);
-      throw;
+    write_whole_file(flight.scenario, plan.mission);
+    if (!wish_.json) std::cout << std::endl;
+    const MadeRun made = make_run(std::move(flight), signals_);
+    if (made.exit == Exit::Done && made.checklist && !wish_.no_report) {
+      report(plan, *made.checklist);
     }
-    fs::remove_all(folder);
-    if (made->exit == Exit::Done && made->checklist && !wish_.no_report) {
-      report(plan, *made->checklist);
-    }
-    return made->exit;
+    return made.exit;
   }
 
   void report(const OfferedPlan& plan, const Checklist& list) {

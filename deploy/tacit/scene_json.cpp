@@ -17,13 +17,7 @@ using Json = nlohmann::ordered_json;
 
 MapPlan plan_in(const std::string& overlay, const std::string& name) {
   const OverlayReading reading = read_overlay(overlay);
-  std::string errors;
-  for (const MapFinding& finding : reading.findings) {
-    if (finding.severity == Severity::Error) {
-      errors += (errors.empty() ? "" : "\n") + to_text(finding, name);
-    }
-  }
-  if (!errors.empty()) throw ConfigError(errors);
+  refuse_errors(reading.findings, name);
   return plan_of(reading.map, Doors::Open);
 }
 

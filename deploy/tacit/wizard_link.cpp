@@ -1,7 +1,5 @@
 #include "deploy/tacit/wizard_link.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <csignal>
 #include <optional>
@@ -9,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "console/record/temporary_folder.h"
 #include "deploy/tacit/child.h"
 #include "deploy/tacit/say.h"
 #include "deploy/tacit/scenario_library.h"
@@ -26,12 +25,6 @@ constexpr milliseconds kStopPatience{3000};
 /// The exit code of a wizard that found something wrong with its input.
 constexpr int kBadInput = 2;
 
-fs::path private_folder() {
-  std::string name = (fs::temp_directory_path() / "tacit-wizard-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": cannot be made");
-  return name;
-}
-
 }  // namespace
 
 fs::path wizard_program() { return program_folder() / "wizard_service"; }
@@ -40,8 +33,8 @@ fs::path wizard_program() { return program_folder() / "wizard_service"; }
 class WizardLink::Own {
  public:
   explicit Own(const std::string& cases)
-      : folder_(private_folder()),
-        log_(folder_ / "wizard.log"),
+      : folder_("tacit-wizard"),
+        log_(folder_.path() / "wizard.log"),
         lease_(DomainLease::take(kWizardNonce)),
         child_(program(cases)) {}
   ~Own() {
@@ -50,8 +43,6 @@ class WizardLink::Own {
     while (!child_.reap() && child_.running() && std::chrono::steady_clock::now() < until) {
       std::this_thread::sleep_for(milliseconds(5));
     }
-    std::error_code error;
-    fs::remove_all(folder_, error);
   }
   Own(const Own&) = delete;
   Own& operator=(const Own&) = delete;
@@ -75,7 +66,7 @@ class WizardLink::Own {
     return {"wizard_service", wizard_program(), std::move(arguments), log_};
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
   fs::path log_;
   DomainLease lease_;
   Child child_;

@@ -124,9 +124,10 @@ Desk::Reply Desk::state() {
 
 void Desk::look_at_cases() {
   if (!base_.changed_since_last_look()) return;
-  index_ = cbr::CaseIndex(base_.heads());
+  const cbr::Inventory all = base_.inventory();
+  index_ = cbr::CaseIndex(all.heads);
   flaws_.clear();
-  for (const cbr::Flaw& flaw : base_.flaws()) flaws_.push_back(flaw_text(flaw.id, flaw.reason));
+  for (const cbr::Flaw& flaw : all.flaws) flaws_.push_back(flaw_text(flaw.id, flaw.reason));
 }
 
 }  // namespace tacit

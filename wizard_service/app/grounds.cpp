@@ -3,19 +3,13 @@
 #include <algorithm>
 
 #include "idl/overlay/reader.h"
-#include "idl/types/config_error.h"
 
 namespace tacit {
 namespace {
 
 cbr::Terrain terrain_of(const std::string& map) {
   const OverlayReading reading = read_overlay(map);
-  std::string text;
-  for (const MapFinding& finding : reading.findings) {
-    if (finding.severity != Severity::Error) continue;
-    text += (text.empty() ? "" : "\n") + to_text(finding, "map");
-  }
-  if (!text.empty()) throw ConfigError(text);
+  refuse_errors(reading.findings, "map");
   return cbr::Terrain(reading.map);
 }
 

@@ -253,17 +253,20 @@ const Case& CaseBase::find(CaseId id) {
   return impl_->attempt([&]() -> const Case& { return impl_->found(id); });
 }
 
-std::vector<CaseHead> CaseBase::heads() {
-  std::vector<CaseHead> heads;
+Inventory CaseBase::inventory() {
+  Inventory all;
   impl_->walk(
       [&](SQLite::Statement& found) {
         const CaseRow row = row_of(found);
         const Case& one = row.one;
-        heads.push_back({one.id, one.features, standing(one.record), mark(one.features, row.plan)});
+        all.heads.push_back(
+            {one.id, one.features, standing(one.record), mark(one.features, row.plan)});
       },
-      [](const Flaw&) {});
-  return heads;
+      [&](Flaw flaw) { all.flaws.push_back(std::move(flaw)); });
+  return all;
 }
+
+std::vector<CaseHead> CaseBase::heads() { return inventory().heads; }
 
 std::vector<Case> CaseBase::listed() {
   std::vector<Case> cases;
@@ -276,11 +279,7 @@ std::vector<Case> CaseBase::listed() {
   return cases;
 }
 
-std::vector<Flaw> CaseBase::flaws() {
-  std::vector<Flaw> flaws;
-  impl_->walk([](SQLite::Statement&) {}, [&](Flaw flaw) { flaws.push_back(std::move(flaw)); });
-  return flaws;
-}
+std::vector<Flaw> CaseBase::flaws() { return inventory().flaws; }
 
 void CaseBase::record_outcome(CaseId id, double score, const std::vector<Failure>& failures) {
   impl_->write([&] { impl_->take_in(id, score, failures, 0); });
@@ -302,14 +301,6 @@ bool CaseBase::record_report(const ReportKey& by, std::span<const CaseId> cases,
     if (taken == 0) throw ConfigError("found no case that the report is about");
   });
   return fresh;
-}
-
-void CaseBase::note_use(CaseId id) {
-  impl_->write([&] {
-    SQLite::Statement update(impl_->db(), "UPDATE cases SET uses = uses + 1 WHERE id = ?");
-    update.bind(1, key(id));
-    if (update.exec() == 0) throw ConfigError(impl_->name(id) + " is not there");
-  });
 }
 
 void CaseBase::remove(CaseId id) {

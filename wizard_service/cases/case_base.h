@@ -18,6 +18,12 @@ struct Flaw {
   friend bool operator==(const Flaw&, const Flaw&) = default;
 };
 
+/// All rows of a case base, by id.
+struct Inventory {
+  std::vector<CaseHead> heads;  ///< Of the cases that can be used.
+  std::vector<Flaw> flaws;      ///< The rows that cannot.
+};
+
 /// Where a case was put.
 struct Stored {
   CaseId id = 0;
@@ -35,7 +41,7 @@ inline constexpr int kReportsKept = 10'000;
 
 /// Cases in one SQLite file.
 ///
-/// What `store`, `record_outcome`, `record_report`, `note_use` or `remove` has returned for is on
+/// What `store`, `record_outcome`, `record_report` or `remove` has returned for is on
 /// the disk: neither the death of a process nor a loss of power takes it away. Several processes
 /// and threads may use one file at once, each through a CaseBase of its own; one CaseBase is for
 /// one thread at a time.
@@ -56,11 +62,11 @@ class CaseBase final : public CaseSource {
 
   /// The reference holds until kCasesKept others have been found. A record is always the newest.
   [[nodiscard]] const Case& find(CaseId id) override;
-  /// Of all cases that can be used, by id.
+  /// Both parts at once; each row is read once.
+  [[nodiscard]] Inventory inventory();
   [[nodiscard]] std::vector<CaseHead> heads();
   /// The same with titles and records, without plans.
   [[nodiscard]] std::vector<Case> listed();
-  /// The rows that `heads` leaves out, by id.
   [[nodiscard]] std::vector<Flaw> flaws();
 
   /// Takes in how a use went: `score` 0 to 1, and what failed.
@@ -70,7 +76,6 @@ class CaseBase final : public CaseSource {
   /// of the cases is there.
   bool record_report(const ReportKey& by, std::span<const CaseId> cases, double score,
                      const std::vector<Failure>& failures);
-  void note_use(CaseId id);
   void remove(CaseId id);
 
   /// Rows, usable or not.

@@ -1,12 +1,12 @@
 import { useRef, useState } from 'react';
 
-import { words_of } from '@/api/client';
 import type { Run } from '@/api/types';
 import { TwiceButton } from '@/app/parts';
 import { clock } from '@/app/numbers';
 import { address_of } from '@/app/route';
 import type { LiveRun } from '@/live/live_run';
-import { useNews } from '@/operate/use_live';
+import { PlayAndSpeed } from '@/operate/PlayAndSpeed';
+import { useCalls, useNews } from '@/operate/use_live';
 
 /** Times real time; 0 is as fast as it goes. */
 export const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16, 0];
@@ -24,17 +24,7 @@ export interface RunControls {
 
 export function useControls(live: LiveRun): RunControls {
   const [speed, note_speed] = useState(1);
-  const [error, set_error] = useState('');
-  const call = async (service: string, request: object = {}) => {
-    try {
-      await live.call(service, request);
-      set_error('');
-      return true;
-    } catch (thrown) {
-      set_error(`"${service}" was not done: ${words_of(thrown)}`);
-      return false;
-    }
-  };
+  const { error, call } = useCalls(live);
   // What was asked for last counts, not what was answered: keys come faster than answers.
   const wanted = useRef(speed);
   const set_speed = async (factor: number) => {
@@ -82,26 +72,10 @@ export function Controls(props: { live: LiveRun; controls: RunControls; run: Run
         <span className={`phase ${live.phase ?? ''}`}>{live.phase ?? 'not heard yet'}</span>
       </div>
       <div className="row" role="group" aria-label="Run">
-        <button type="button" className="primary wide" onClick={controls.toggle} disabled={dead}>
-          <span aria-hidden="true">{paused ? '▶' : '❚❚'}</span> {paused ? 'Play' : 'Pause'}
-        </button>
-        <button type="button" onClick={controls.step} disabled={dead}>
-          <span aria-hidden="true">▶❚</span> Step
-        </button>
-        <label className="speed">
-          Speed
-          <select
-            value={controls.speed}
-            disabled={dead}
-            onChange={(event) => controls.set_speed(Number(event.target.value))}
-          >
-            {kSpeeds.map((factor) => (
-              <option key={factor} value={factor}>
-                {factor === 0 ? 'as fast as it goes' : `${factor} ×`}
-              </option>
-            ))}
-          </select>
-        </label>
+        <PlayAndSpeed
+          paused={paused} dead={dead} toggle={controls.toggle} step={controls.step}
+          speed={controls.speed} speeds={kSpeeds} set_speed={controls.set_speed}
+        />
         <TwiceButton label="Stop" sure="Press again to stop" act={controls.stop} disabled={dead} />
       </div>
       <dl className="facts">

@@ -3,6 +3,7 @@ import { address_of } from '@/app/route';
 import type { LiveRun } from '@/live/live_run';
 import { Fact } from '@/operate/Controls';
 import type { EventFilter } from '@/operate/event_filter';
+import { PlayAndSpeed } from '@/operate/PlayAndSpeed';
 import { useNews } from '@/operate/use_live';
 import { Scrubber } from '@/replay/Scrubber';
 import { kSpeeds, useWrittenMoment, type Player } from '@/replay/use_player';
@@ -31,22 +32,10 @@ export function ReplayControls({ live, run, player, filter }: Props) {
         <a href={address_of('results', run.id)}>Results</a>
       </div>
       <div className="row" role="group" aria-label="Recording">
-        <button type="button" className="primary wide" onClick={player.toggle} disabled={dead}>
-          <span aria-hidden="true">{paused ? '▶' : '❚❚'}</span> {paused ? 'Play' : 'Pause'}
-        </button>
-        <button type="button" onClick={player.step} disabled={dead}>
-          <span aria-hidden="true">▶❚</span> Step
-        </button>
-        <label className="speed">
-          Speed
-          <select value={speed} disabled={dead} onChange={(event) => player.set_speed(Number(event.target.value))}>
-            {speeds.map((factor) => (
-              <option key={factor} value={factor}>
-                {factor} ×
-              </option>
-            ))}
-          </select>
-        </label>
+        <PlayAndSpeed
+          paused={paused} dead={dead} toggle={player.toggle} step={player.step}
+          speed={speed} speeds={speeds} set_speed={player.set_speed}
+        />
         <button
           type="button" onClick={() => player.to_event(-1)} disabled={dead} aria-keyshortcuts="J"
           aria-label="Event before"

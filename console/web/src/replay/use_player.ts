@@ -1,9 +1,10 @@
-import { useEffect, useReducer, useRef, useState } from 'react';
+import { useEffect, useReducer, useRef } from 'react';
 
 import { words_of } from '@/api/client';
 import type { LiveRun } from '@/live/live_run';
 import { Seeker } from '@/live/seeker';
 import { listed, type EventFilter } from '@/operate/event_filter';
+import { useCalls } from '@/operate/use_live';
 import { bookmarks_of, neighbour } from '@/replay/bookmarks';
 
 /** Times the run's own time. */
@@ -30,7 +31,7 @@ export interface Player {
 
 /** The controls of a recorded run. */
 export function usePlayer(live: LiveRun, filter: EventFilter): Player {
-  const [error, set_error] = useState('');
+  const { error, set_error, call } = useCalls(live);
   const [, draw] = useReducer((n: number) => n + 1, 0);
   const asked_speed = useRef<number | null>(null);
   const made = useRef<Seeker | null>(null);
@@ -39,16 +40,6 @@ export function usePlayer(live: LiveRun, filter: EventFilter): Player {
     draw,
     (thrown) => set_error(`"seek" was not done: ${words_of(thrown)}`),
   ));
-  const call = async (service: string, request: object = {}) => {
-    try {
-      await live.call(service, request);
-      set_error('');
-      return true;
-    } catch (thrown) {
-      set_error(`"${service}" was not done: ${words_of(thrown)}`);
-      return false;
-    }
-  };
   const ends = () => live.playing ?? { start_s: 0, end_s: 0 };
   const time_s = () => seeker.goal_s ?? live.time_s;
   const at_end = () => live.playing !== null && time_s() >= ends().end_s - 1e-3;
