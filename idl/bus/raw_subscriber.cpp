@@ -1,18 +1,11 @@
 #include "idl/bus/raw_subscriber.h"
 
 #include <fastdds/dds/subscriber/DataReader.hpp>
-#include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
-#include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
-#include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
-#include <atomic>
-
-#include "idl/bus/entities.h"
+#include "idl/bus/listening_reader.h"
 #include "idl/bus/opaque_type.h"
-#include "idl/bus/qos.h"
 #include "idl/bus/wire_of.h"
 #include "idl/wire/teamPubSubTypes.h"
 
@@ -25,31 +18,15 @@ using eprosima::fastrtps::types::ReturnCode_t;
 }  // namespace
 
 template <class Topic>
-class RawSubscriber<Topic>::Impl final : public dds::DataReaderListener {
+class RawSubscriber<Topic>::Impl final : public ListeningReader {
   using Support = typename WireOf<typename Topic::Word>::Support;
 
  public:
-  Impl(Participant& participant, RobotId robot, Take take)
-      : robot_(robot), take_(std::move(take)), subscriber_(*participant.entities().subscriber) {
+  Impl(Participant& participant, RobotId robot, Take take) : robot_(robot), take_(std::move(take)) {
     dds::TypeSupport type(new OpaqueType(Support()));
-    dds::DataReaderQos qos = dds::DATAREADER_QOS_DEFAULT;
-    qos::set_reader(qos, Topic::kPromise);
-    const std::string name = topic_name<Topic>(robot);
-    reader_ = subscriber_.create_datareader(participant.entities().topic(name, type), qos, this,
-                                            dds::StatusMask::data_available()
-                                                << dds::StatusMask::subscription_matched());
-    if (reader_ == nullptr) {
-      throw BusError("no reader could be made for " + name + " on " + participant.entities().where);
-    }
+    open(participant.entities(), topic_name<Topic>(robot), type, Topic::kPromise);
   }
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
-  ~Impl() override {
-    reader_->set_listener(nullptr);
-    subscriber_.delete_datareader(reader_);
-  }
-
-  int writers() const { return writers_.load(std::memory_order_relaxed); }
+  ~Impl() override { close(); }
 
  private:
   void on_data_available(dds::DataReader* reader) override {
@@ -60,16 +37,8 @@ class RawSubscriber<Topic>::Impl final : public dds::DataReaderListener {
     }
   }
 
-  void on_subscription_matched(dds::DataReader*,
-                               const dds::SubscriptionMatchedStatus& status) override {
-    writers_.store(status.current_count, std::memory_order_relaxed);
-  }
-
   RobotId robot_;
   Take take_;
-  dds::Subscriber& subscriber_;
-  dds::DataReader* reader_ = nullptr;
-  std::atomic<int> writers_{0};
   RawSample sample_;
 };
 

@@ -2,22 +2,15 @@
 
 #include <fastdds/dds/core/LoanableSequence.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
-#include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
-#include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
-#include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
-
-#include <atomic>
 
 #include "idl/bus/convert_events.h"
 #include "idl/bus/convert_lockstep.h"
 #include "idl/bus/convert_team.h"
 #include "idl/bus/convert_views.h"
 #include "idl/bus/convert_wizard.h"
-#include "idl/bus/entities.h"
-#include "idl/bus/qos.h"
+#include "idl/bus/listening_reader.h"
 #include "idl/bus/wire_of.h"
 #include "idl/wire/lockstepPubSubTypes.h"
 #include "idl/wire/teamPubSubTypes.h"
@@ -31,7 +24,7 @@ using eprosima::fastrtps::types::ReturnCode_t;
 constexpr Flaw kUndecodable{"it cannot be decoded"};
 
 template <class Topic>
-class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
+class Subscriber<Topic>::Impl final : public ListeningReader {
   using Wire = typename WireOf<Word>::Wire;
   using Support = typename WireOf<Word>::Support;
 
@@ -39,28 +32,11 @@ class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
   Impl(Participant& participant, RobotId robot, Take take)
       : name_(topic_name<Topic>(robot)),
         rejections_(participant.rejections()),
-        take_(std::move(take)),
-        subscriber_(*participant.entities().subscriber) {
+        take_(std::move(take)) {
     dds::TypeSupport type(new Support());
-    dds::DataReaderQos qos = dds::DATAREADER_QOS_DEFAULT;
-    qos::set_reader(qos, Topic::kPromise);
-    dds::Topic* topic = participant.entities().topic(name_, type);
-    reader_ = subscriber_.create_datareader(topic, qos, this,
-                                            dds::StatusMask::data_available()
-                                                << dds::StatusMask::subscription_matched());
-    if (reader_ == nullptr) {
-      throw BusError("no reader could be made for " + name_ + " on " +
-                     participant.entities().where);
-    }
+    open(participant.entities(), name_, type, Topic::kPromise);
   }
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
-  ~Impl() override {
-    reader_->set_listener(nullptr);
-    subscriber_.delete_datareader(reader_);
-  }
-
-  int writers() const { return writers_.load(std::memory_order_relaxed); }
+  ~Impl() override { close(); }
 
  private:
   static constexpr bool kOncePerTick =
@@ -122,17 +98,9 @@ class Subscriber<Topic>::Impl final : public dds::DataReaderListener {
     }
   }
 
-  void on_subscription_matched(dds::DataReader*,
-                               const dds::SubscriptionMatchedStatus& status) override {
-    writers_.store(status.current_count, std::memory_order_relaxed);
-  }
-
   std::string name_;
   Rejections& rejections_;
   Take take_;
-  dds::Subscriber& subscriber_;
-  dds::DataReader* reader_ = nullptr;
-  std::atomic<int> writers_{0};
   Wire sample_;
   Word word_;
 };
